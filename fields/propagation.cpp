@@ -1,0 +1,123 @@
+#include <pleura/fields/counters.h>
+#include <pleura/fields/propagation.h>
+
+#include <algorithm>
+#include <atomic>
+
+namespace pleura {
+
+/// The path from the origin to where the walk stands, and the fields to call back after it: one a thread,
+/// reused.
+struct Propagation::Walk {
+  struct Step {
+    Field* field;
+    Field* const* next;
+    Field* const* last;
+    bool settled;  // every target so far is out of date by way of `field`, with all that follows it
+  };
+  std::vector<Step> path;
+  std::vector<Field*> observers;
+  bool calling = false;
+
+  static Walk& ofThread() {
+    thread_local Walk walk;
+    return walk;
+  }
+};
+
+std::uint64_t Propagation::nextStamp() {
+  static std::atomic<std::uint64_t> last{0};
+  return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
+void Propagation::start(Field& origin) {
+  const std::uint64_t stamp = nextStamp();
+  origin.event.stamp = stamp;
+  if (origin.settled_) return;
+  Field* const* first = origin.routes_out.data();
+  walk(origin, first, first + origin.routes_out.size(), stamp);
+  callObservers();
+}
+
+void Propagation::start(Field& origin, Field* target) {
+  const std::uint64_t stamp = nextStamp();
+  origin.event.stamp = stamp;
+  walk(origin, &target, &target + 1, stamp);
+  origin.settled_ = false;
+  callObservers();
+}
+
+/// Marks `to` as out of date by `from`, if the event is news to it.
+bool Propagation::arrive(Field& from, Field& to, std::uint64_t stamp) {
+  if (to.observes_) {
+    to.observe({&from, stamp});
+    if (!to.queued_) {
+      to.queued_ = true;
+      Walk::ofThread().observers.push_back(&to);
+    }
+  }
+  if (to.event.sender != &from) Field::unsettle(to.event.sender);
+  if (stamp <= to.event.stamp) return false;
+  to.event = {&from, stamp};
+  return true;
+}
+
+void Propagation::walk(Field& origin, Field* const* first, Field* const* last, std::uint64_t stamp) {
+  auto& path = Walk::ofThread().path;
+  const std::size_t base = path.size();
+  std::uint64_t accepted = 0;
+  path.push_back({&origin, first, last, true});
+  while (path.size() > base) {
+    auto& step = path.back();
+    if (step.next == step.last) {
+      const bool settled = step.settled;
+      step.field->settled_ = settled;
+      path.pop_back();
+      if (!settled && path.size() > base) path.back().settled = false;
+      continue;
+    }
+    Field& to = **step.next++;
+    const bool isNews = arrive(*step.field, to, stamp);
+    // An observing field has to hear every event, and one reached by two ways has to hear each of them.
+    if (!isNews || to.observes_) step.settled = false;
+    if (!isNews) continue;
+    ++accepted;
+    if (to.settled_) continue;
+    if (to.routes_out.empty()) {
+      to.settled_ = true;
+      continue;
+    }
+    Field* const* out = to.routes_out.data();
+    path.push_back({&to, out, out + to.routes_out.size(), true});
+  }
+  fieldCounters().events += accepted;
+}
+
+void Propagation::callObservers() {
+  Walk& walk = Walk::ofThread();
+  if (walk.calling || walk.observers.empty()) return;
+  walk.calling = true;
+  struct Done {
+    Walk& of;
+    ~Done() {
+      for (Field* left : of.observers)
+        if (left != nullptr) left->queued_ = false;
+      of.observers.clear();
+      of.calling = false;
+    }
+  } done{walk};
+  for (std::size_t i = 0; i < walk.observers.size(); ++i) {
+    Field* field = walk.observers[i];
+    if (field == nullptr) continue;
+    field->queued_ = false;
+    walk.observers[i] = nullptr;
+    field->afterEvents();
+  }
+}
+
+void Propagation::forget(const Field* field) {
+  auto& observers = Walk::ofThread().observers;
+  std::replace(observers.begin(), observers.end(), const_cast<Field*>(field), static_cast<Field*>(nullptr));
+}
+
+}  // namespace pleura
