@@ -1,9 +1,9 @@
 #pragma once
 
-#include <pleura/fields/field.h>
-
 #include <algorithm>
 #include <vector>
+
+#include <pleura/fields/field.h>
 
 namespace pleura {
 

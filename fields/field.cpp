@@ -1,8 +1,8 @@
+#include <algorithm>
+
 #include <pleura/fields/errors.h>
 #include <pleura/fields/field.h>
 #include <pleura/fields/propagation.h>
-
-#include <algorithm>
 
 namespace pleura {
 

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <pleura/fields/access.h>
-#include <pleura/fields/field_declaration.h>
-#include <pleura/fields/field_type.h>
-#include <pleura/fields/values.h>
-
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <pleura/fields/access.h>
+#include <pleura/fields/field_declaration.h>
+#include <pleura/fields/field_type.h>
+#include <pleura/fields/values.h>
 
 namespace pleura {
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <limits>
+#include <string>
+
 #include <pleura/fields/access.h>
 #include <pleura/fields/field_type.h>
 #include <pleura/fields/unit.h>
-
-#include <limits>
-#include <string>
 
 namespace pleura {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <pleura/fields/field.h>
-#include <pleura/fields/text.h>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
+
+#include <pleura/fields/field.h>
+#include <pleura/fields/text.h>
 
 namespace pleura {
 

@@ -1,7 +1,7 @@
-#include <pleura/fields/periodic_update.h>
-
 #include <algorithm>
 #include <vector>
+
+#include <pleura/fields/periodic_update.h>
 
 namespace pleura {
 

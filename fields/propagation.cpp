@@ -1,8 +1,8 @@
-#include <pleura/fields/counters.h>
-#include <pleura/fields/propagation.h>
-
 #include <algorithm>
 #include <atomic>
+
+#include <pleura/fields/counters.h>
+#include <pleura/fields/propagation.h>
 
 namespace pleura {
 

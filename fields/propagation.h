@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pleura/fields/field.h>
-
 #include <cstdint>
+
+#include <pleura/fields/field.h>
 
 namespace pleura {
 

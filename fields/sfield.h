@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pleura/fields/field.h>
-#include <pleura/fields/text.h>
-
 #include <type_traits>
 #include <utility>
+
+#include <pleura/fields/field.h>
+#include <pleura/fields/text.h>
 
 namespace pleura {
 

@@ -1,7 +1,8 @@
-#include <fmt/format.h>
-#include <pleura/fields/text.h>
-
 #include <cmath>
+
+#include <fmt/format.h>
+
+#include <pleura/fields/text.h>
 
 namespace pleura {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <pleura/fields/errors.h>
-#include <pleura/fields/values.h>
-
 #include <charconv>
 #include <string>
 #include <string_view>
+
+#include <pleura/fields/errors.h>
+#include <pleura/fields/values.h>
 
 namespace pleura {
 

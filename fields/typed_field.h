@@ -1,9 +1,9 @@
 #pragma once
 
+#include <string>
+
 #include <pleura/fields/errors.h>
 #include <pleura/fields/field_types.h>
-
-#include <string>
 
 namespace pleura {
 
