@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 #include <pleura/fields/errors.h>
 #include <pleura/fields/field.h>
@@ -46,6 +49,13 @@ void Field::refuseSet() const {
 
 void Field::refuseGet() const {
   throw FieldAccessError(getFullName() + " is " + std::string(name(access_)) + ": it can't be read");
+}
+
+void Field::refuseRange() const {
+  const auto& d = *declaration_;
+  if (!std::isfinite(d.maximum)) throw FieldParseError(fmt::format("at least {}", d.minimum), 0);
+  if (!std::isfinite(d.minimum)) throw FieldParseError(fmt::format("at most {}", d.maximum), 0);
+  throw FieldParseError(fmt::format("{} to {}", d.minimum, d.maximum), 0);
 }
 
 bool Field::acceptsInput(const Field& from, std::size_t, std::string& why) const {

@@ -89,9 +89,10 @@ class Field {
 
   /// The value as X3D's XML encoding writes it; for a node, its DEF name.
   virtual std::string getValueAsString() = 0;
-  /// Takes a value from its XML text, and sends an event. Throws FieldParseError, the value untouched, when
-  /// the text is none; FieldAccessError as setValue.
-  virtual void setValueFromString(std::string_view text, NodeId id = nullptr) = 0;
+  /// Takes a value from its XML text, and sends an event. Floating-point numbers are multiplied by `scale`.
+  /// Throws FieldParseError, the value untouched, when the text is none or out of the declared range;
+  /// FieldAccessError as setValue.
+  virtual void setValueFromString(std::string_view text, NodeId id = nullptr, double scale = 1) = 0;
 
  protected:
   /// Takes the new value: reads routes_in[i] or event.sender and writes `value`. Called only when an event is
@@ -110,6 +111,12 @@ class Field {
 
   void observesEvents() { observes_ = true; }
   void requiresInputs() { requiresInputs_ = true; }
+  /// Throws FieldParseError where a component of `read` is outside the range that the declaration gives.
+  template <class T>
+  void checkRange(const T& read) const {
+    if (declaration_ != nullptr && declaration_->isBounded() && !declaration_->admits(read)) refuseRange();
+  }
+  [[noreturn]] void refuseRange() const;
   void checkSet(NodeId id) const {
     if (!canSet(access_) && id != owner_) refuseSet();
   }

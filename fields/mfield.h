@@ -89,12 +89,13 @@ class MField : public Field {
     return text;
   }
 
-  void setValueFromString(std::string_view text, NodeId id = nullptr) override {
+  void setValueFromString(std::string_view text, NodeId id = nullptr, double scale = 1) override {
     std::vector<T> read;
-    TextReader reader(text);
+    TextReader reader(text, scale);
     while (!reader.atEnd()) {
       T one{};
       reader.read(one);
+      checkRange(one);
       read.push_back(std::move(one));
     }
     setValue(std::move(read), id);

@@ -65,14 +65,16 @@ class SField : public Field {
     return text;
   }
 
-  void setValueFromString(std::string_view text, NodeId id = nullptr) override {
+  void setValueFromString(std::string_view text, NodeId id = nullptr, double scale = 1) override {
     if constexpr (std::is_same_v<T, std::string>) {
       setValue(std::string(text), id);
+      static_cast<void>(scale);
     } else {
       T read{};
-      TextReader reader(text);
+      TextReader reader(text, scale);
       reader.read(read);
       if (!reader.atEnd()) reader.fail("nothing more");
+      checkRange(read);
       setValue(std::move(read), id);
     }
   }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,8 @@ void TextReader::readNumber(Number& value, const char* expected) {
     if (!std::isfinite(number)) fail(expected);
   at_ = to;
   value = number;
+  if constexpr (std::is_floating_point_v<Number>)
+    if (scale_ != 1) value = static_cast<Number>(number * scale_);
 }
 
 void TextReader::read(float& value) { readNumber(value, "a finite number"); }
@@ -57,7 +60,9 @@ void TextReader::read(bool& value) {
 
 void TextReader::read(Rotation& value) {
   Rotation rotation;
-  for (int i = 0; i < 3; ++i) read(rotation.axis[i]);
+  const double scale = std::exchange(scale_, 1.0);
+  read(rotation.axis);
+  scale_ = scale;
   read(rotation.angle);
   value = rotation;
 }

@@ -13,7 +13,10 @@ namespace pleura {
 /// FieldParseError where the text is not what it expects; NaN and infinities are refused.
 class TextReader {
  public:
-  explicit TextReader(std::string_view text) : begin_(text.data()), at_(begin_), end_(begin_ + text.size()) {}
+  /// Floating-point numbers are multiplied by `scale` as they are read, of rotations only the angle: how a
+  /// file's own units become SI.
+  explicit TextReader(std::string_view text, double scale = 1)
+      : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), scale_(scale) {}
 
   /// White space and commas skipped: is anything left?
   bool atEnd() {
@@ -50,6 +53,7 @@ class TextReader {
   const char* begin_;
   const char* at_;
   const char* end_;
+  double scale_;
 };
 
 /// Appends the text of a value, the shortest that reads back the same.
