@@ -33,13 +33,15 @@ void Field::runUpdate() {
   } const evaluating{*this};
   const Deeper deeper;
   const Event pending = event;
-  if (requiresInputs_) checkInputs();
+  if (inputsChanged_) {
+    checkInputs();
+    inputsChanged_ = false;
+  }
+  unsettle(pending.sender);  // before update(), which may set what is upstream
   ++fieldCounters().updates;
   update();
-  if (observes_) afterUpdate();
-  if (event.stamp != pending.stamp) return;  // it has changed again meanwhile
-  event.sender = nullptr;
-  unsettle(pending.sender);
+  if (observes_) forgetEvents(nullptr, pending.stamp);
+  if (event.stamp == pending.stamp) event.sender = nullptr;  // else it has changed again meanwhile
 }
 
 /// Depth first, inputs before what reads them, `this` left to the caller.

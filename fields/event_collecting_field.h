@@ -7,7 +7,7 @@
 
 namespace pleura {
 
-/// A field that remembers who has sent events since it was last evaluated. update() reads getCausingEvents(),
+/// A field that remembers who has sent events since it was last evaluated or set. update() reads getCausingEvents(),
 /// in the order of arrival, each sender once with its newest stamp.
 template <class Base>
 class EventCollectingField : public Base {
@@ -20,17 +20,21 @@ class EventCollectingField : public Base {
     return std::any_of(events_.begin(), events_.end(), [&](const auto& e) { return e.sender == &field; });
   }
 
-  void observe(Field::Event event) override {
+  void observe(Field::Event arrived) override {
     const auto known =
-        std::find_if(events_.begin(), events_.end(), [&](const auto& e) { return e.sender == event.sender; });
+        std::find_if(events_.begin(), events_.end(), [&](const auto& e) { return e.sender == arrived.sender; });
     if (known != events_.end()) {
-      known->stamp = event.stamp;
+      known->stamp = arrived.stamp;
     } else {
-      events_.push_back(event);
+      events_.push_back(arrived);
     }
   }
 
-  void afterUpdate() override { events_.clear(); }
+  void forgetEvents(const Field* sender, std::uint64_t stamp) override {
+    std::erase_if(events_, [&](const auto& e) {
+      return e.stamp <= stamp && (sender == nullptr || e.sender == sender);
+    });
+  }
 
  private:
   std::vector<Field::Event> events_;

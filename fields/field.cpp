@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -15,9 +16,10 @@ bool contains(const std::vector<Field*>& fields, const Field* field) {
   return std::find(fields.begin(), fields.end(), field) != fields.end();
 }
 
+/// Searches from the back, where the destructor takes them.
 void remove(std::vector<Field*>& fields, const Field* field) {
-  const auto found = std::find(fields.begin(), fields.end(), field);
-  if (found != fields.end()) fields.erase(found);
+  const auto found = std::find(fields.rbegin(), fields.rend(), field);
+  if (found != fields.rend()) fields.erase(std::next(found).base());
 }
 
 }  // namespace
@@ -64,22 +66,27 @@ bool Field::acceptsInput(const Field& from, std::size_t, std::string& why) const
   return false;
 }
 
+void Field::refuseRoute(const Field& to, const std::string& why) const {
+  throw RouteError("route " + getFullName() + " TO " + to.getFullName() + ": " + why);
+}
+
 void Field::routeNoEvent(Field& to, NodeId id) {
-  const std::string route = getFullName() + " TO " + to.getFullName();
-  if (!canGet(access_) && id != owner_)
-    throw RouteError("route " + route + ": " + getFullName() + " is inputOnly, it sends no events");
+  if (!canGet(access_) && id != owner_) refuseRoute(to, getFullName() + " is inputOnly, it sends no events");
   if (to.owner_ != nullptr && id != to.owner_ && to.access_ != Access::inputOnly &&
       to.access_ != Access::inputOutput)
-    throw RouteError("route " + route + ": " + to.getFullName() + " is " + std::string(name(to.access_)) +
-                     ", it takes no events");
+    refuseRoute(to, to.getFullName() + " is " + std::string(name(to.access_)) + ", it takes no events");
   if (routesTo(to)) return;
   std::string expected;
   if (!to.acceptsInput(*this, to.routes_in.size(), expected))
-    throw RouteError("route " + route + ": " + std::string(getTypeName()) + " sent where " + expected +
-                     " is expected");
-  to.routes_in.reserve(to.routes_in.size() + 1);
+    refuseRoute(to, std::string(getTypeName()) + " sent where " + expected + " is expected");
   routes_out.push_back(&to);
-  to.routes_in.push_back(this);
+  try {
+    to.routes_in.push_back(this);
+  } catch (...) {
+    routes_out.pop_back();
+    throw;
+  }
+  to.inputsChanged_ = true;
   unsettle(this);
 }
 
@@ -92,6 +99,8 @@ void Field::route(Field& to, NodeId id) {
 void Field::unroute(Field& to) {
   remove(routes_out, &to);
   remove(to.routes_in, this);
+  to.inputsChanged_ = true;
+  if (to.observes_) to.forgetEvents(this, to.event.stamp);
   if (to.event.sender == this) to.event.sender = nullptr;
 }
 
@@ -104,6 +113,7 @@ void Field::touch() {
     unsettle(event.sender);
     event.sender = nullptr;
   }
+  if (observes_) forgetEvents(nullptr, event.stamp);
   Propagation::start(*this);
 }
 

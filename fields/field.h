@@ -100,17 +100,17 @@ class Field {
   virtual void update() = 0;
   /// Whether `from` may become input number `index`; if not, says in `why` what is expected.
   virtual bool acceptsInput(const Field& from, std::size_t index, std::string& why) const;
-  /// Called before update() where requiresInputs() was asked for; throws MissingInputError.
+  /// Called before update() when routes have come or gone since the last time; throws MissingInputError.
   virtual void checkInputs() const {}
   /// Called for every event that arrives where observesEvents() was asked for. May only take notes.
   virtual void observe(Event) {}
-  /// Called after update() where observesEvents() was asked for.
-  virtual void afterUpdate() {}
+  /// What `sender` (null: anybody) sent up to `stamp` is dealt with or cancelled. Called where observesEvents()
+  /// was asked for.
+  virtual void forgetEvents(const Field* /*sender*/, std::uint64_t /*stamp*/) {}
   /// Called after the propagation that reached an observing field has ended.
   virtual void afterEvents() {}
 
   void observesEvents() { observes_ = true; }
-  void requiresInputs() { requiresInputs_ = true; }
   /// Throws FieldParseError where a component of `read` is outside the range that the declaration gives.
   template <class T>
   void checkRange(const T& read) const {
@@ -142,6 +142,7 @@ class Field {
   }
   [[noreturn]] void refuseSet() const;
   [[noreturn]] void refuseGet() const;
+  [[noreturn]] void refuseRoute(const Field& to, const std::string& why) const;
 
   FieldOwner* owner_ = nullptr;
   const FieldDeclaration* declaration_ = nullptr;
@@ -149,7 +150,7 @@ class Field {
   bool settled_ = false;  // all that is downstream is out of date already, each by way of this field
   bool observes_ = false;
   bool queued_ = false;  // waits for afterEvents()
-  bool requiresInputs_ = false;
+  bool inputsChanged_ = true;  // since checkInputs() last found them right
   bool evaluating_ = false;
 };
 

@@ -1,10 +1,20 @@
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <utility>
 
 #include <pleura/fields/counters.h>
+#include <pleura/fields/errors.h>
 #include <pleura/fields/propagation.h>
 
 namespace pleura {
+
+namespace {
+
+/// How often in a row AutoUpdate fields may set what others of them hear of.
+constexpr std::size_t kMostRounds = 100'000;
+
+}  // namespace
 
 /// The path from the origin to where the walk stands, and the fields to call back after it: one a thread,
 /// reused.
@@ -47,6 +57,17 @@ void Propagation::start(Field& origin, Field* target) {
   callObservers();
 }
 
+/// Whether the event has come by `field` already: walked, or passed over with all that is below a settled field.
+/// What is found is noted in the stamps, so that no way up is gone twice.
+bool Propagation::hasPassed(Field& field, std::uint64_t stamp) {
+  if (field.event.stamp >= stamp) return true;
+  const Field* above = field.event.sender;
+  while (above != nullptr && above->settled_ && above->event.stamp < stamp) above = above->event.sender;
+  if (above == nullptr || !above->settled_) return false;
+  for (Field* below = &field; below != above; below = below->event.sender) below->event.stamp = stamp;
+  return true;
+}
+
 /// Marks `to` as out of date by `from`, if the event is news to it.
 bool Propagation::arrive(Field& from, Field& to, std::uint64_t stamp) {
   if (to.observes_) {
@@ -56,8 +77,8 @@ bool Propagation::arrive(Field& from, Field& to, std::uint64_t stamp) {
       Walk::ofThread().observers.push_back(&to);
     }
   }
+  if (hasPassed(to, stamp)) return false;
   if (to.event.sender != &from) Field::unsettle(to.event.sender);
-  if (stamp <= to.event.stamp) return false;
   to.event = {&from, stamp};
   return true;
 }
@@ -93,26 +114,32 @@ void Propagation::walk(Field& origin, Field* const* first, Field* const* last, s
   fieldCounters().events += accepted;
 }
 
+/// Each is called, though one before it throws; the first exception is thrown on. What an observer sets may
+/// queue others: a round each.
 void Propagation::callObservers() {
   Walk& walk = Walk::ofThread();
   if (walk.calling || walk.observers.empty()) return;
   walk.calling = true;
-  struct Done {
-    Walk& of;
-    ~Done() {
-      for (Field* left : of.observers)
-        if (left != nullptr) left->queued_ = false;
-      of.observers.clear();
-      of.calling = false;
+  std::exception_ptr failure;
+  std::size_t roundEnd = walk.observers.size();
+  for (std::size_t i = 0, rounds = 1; i < walk.observers.size(); ++i) {
+    if (i == roundEnd) {
+      roundEnd = walk.observers.size();
+      ++rounds;
     }
-  } done{walk};
-  for (std::size_t i = 0; i < walk.observers.size(); ++i) {
-    Field* field = walk.observers[i];
+    Field* field = std::exchange(walk.observers[i], nullptr);
     if (field == nullptr) continue;
     field->queued_ = false;
-    walk.observers[i] = nullptr;
-    field->afterEvents();
+    try {
+      if (rounds > kMostRounds) throw FieldError(field->getFullName() + " causes itself to change without end");
+      field->afterEvents();
+    } catch (...) {
+      if (failure == nullptr) failure = std::current_exception();
+    }
   }
+  walk.observers.clear();
+  walk.calling = false;
+  if (failure != nullptr) std::rethrow_exception(failure);
 }
 
 void Propagation::forget(const Field* field) {

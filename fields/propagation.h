@@ -24,6 +24,7 @@ class Propagation {
   static std::uint64_t nextStamp();
   static void walk(Field& origin, Field* const* first, Field* const* last, std::uint64_t stamp);
   static bool arrive(Field& from, Field& to, std::uint64_t stamp);
+  static bool hasPassed(Field& field, std::uint64_t stamp);
   static void callObservers();
 };
 

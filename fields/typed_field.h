@@ -71,17 +71,14 @@ struct Inputs<Any<Fields...>> : Inputs<AnyNumber<Any<Fields...>>> {};
 
 }  // namespace typed_field
 
-/// A field whose value is computed from inputs of given classes, checked when a route is made and complete
-/// when it is evaluated. Override update(): read `routes_in[i]`, write `value`.
+/// A field whose value is computed from inputs of given classes, checked when a route is made, and again, that
+/// none is missing, when it is evaluated. Override update(): read `routes_in[i]`, write `value`.
 ///
 ///   class Sum : public TypedField<SFFloat, Types<SFFloat, SFFloat>> { void update() override { ... } };
 ///
 /// `Required` inputs come first, each once; `Optional` ones may follow.
 template <class Base, class Required, class Optional = Types<>>
 class TypedField : public Base {
- public:
-  TypedField() { this->requiresInputs(); }
-
  protected:
   using RequiredInputs = typed_field::Inputs<Required>;
   using OptionalInputs = typed_field::Inputs<Optional>;
