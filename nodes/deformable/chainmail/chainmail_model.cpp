@@ -43,14 +43,17 @@ ChainmailPull linkSlack(const Eigen::Vector3d& d, const ChainmailMaterial& a, co
 
 }  // namespace
 
-ChainmailModel makeChainmailModel(std::span<const Eigen::Vector3f> rest, ChainmailTopology topology,
+ChainmailModel makeChainmailModel(std::span<const Eigen::Vector3f> rest, const ChainmailTopology& topology,
                                   std::span<const ChainmailMaterial> material) {
   if (rest.size() + 1 != topology.begin.size())
     throw std::invalid_argument("chainmail: rest has " + std::to_string(rest.size()) +
                                 " points, the topology " + std::to_string(topology.pointCount()));
   for (std::size_t i = 0; i < rest.size(); ++i)
     requireInChainmailRange("rest point", static_cast<int>(i), rest[i]);
-  ChainmailModel model{std::move(topology), {rest.begin(), rest.end()}, {}};
+  ChainmailModel model;
+  model.rest.assign(rest.begin(), rest.end());
+  model.order = breadthFirstOrder(topology);
+  model.topology = renumber(topology, model.order);
   setMaterial(model, material);
   return model;
 }
@@ -60,16 +63,14 @@ void setMaterial(ChainmailModel& model, std::span<const ChainmailMaterial> mater
     throw std::invalid_argument("chainmail: material has " + std::to_string(material.size()) +
                                 " entries for " + std::to_string(model.rest.size()) + " points");
   for (std::size_t i = 0; i < material.size(); ++i) requireValid(material[i], i);
-  const auto of = [&](int point) -> const ChainmailMaterial& {
-    return material[material.size() == 1 ? 0 : point];
-  };
+  const auto materialOf = [&](int point) { return material[material.size() == 1 ? 0 : point]; };
   const ChainmailTopology& topology = model.topology;
   model.slack.resize(topology.neighbour.size());
-  for (int a = 0; a < topology.pointCount(); ++a)
-    for (int link = topology.begin[a]; link < topology.begin[a + 1]; ++link) {
-      const int b = topology.neighbour[link];
+  for (int row = 0; row < topology.pointCount(); ++row)
+    for (int link = topology.begin[row]; link < topology.begin[row + 1]; ++link) {
+      const int a = model.order.outer[row], b = model.order.outer[topology.neighbour[link]];
       const Eigen::Vector3d d = model.rest[b].cast<double>() - model.rest[a].cast<double>();
-      model.slack[link] = linkSlack(d, of(a), of(b));
+      model.slack[link] = linkSlack(d, materialOf(a), materialOf(b));
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pleura/nodes/deformable/chainmail/chainmail_order.h>
 #include <pleura/nodes/deformable/chainmail/chainmail_topology.h>
 
 #include <Eigen/Core>
@@ -21,15 +22,16 @@ using ChainmailPull = Eigen::Array<float, 8, 1>;
 
 /// An organ ready to be solved for: what depends on rest shape and material alone.
 struct ChainmailModel {
+  std::vector<Eigen::Vector3f> rest;  // [m], in the rest frame, as the caller numbers the points
+  ChainmailOrder order;               // from and to the numbers that what follows uses
   ChainmailTopology topology;
-  std::vector<Eigen::Vector3f> rest;  // [m], in the rest frame
-  std::vector<ChainmailPull> slack;   // along topology.neighbour [m]: how far b may lag behind a, each way
+  std::vector<ChainmailPull> slack;  // along topology.neighbour [m]: how far b may lag behind a, each way
 };
 
 /// Generalised ChainMail (Li and Brodlie 2003) over these links. A link takes the mean of its ends'
 /// materials: it is half the one and half the other, in series. `material` has one entry a point, or one for
 /// all. Throws std::invalid_argument unless 0 <= compression <= 1 <= stretch and shear >= 0, all finite.
-ChainmailModel makeChainmailModel(std::span<const Eigen::Vector3f> rest, ChainmailTopology topology,
+ChainmailModel makeChainmailModel(std::span<const Eigen::Vector3f> rest, const ChainmailTopology& topology,
                                   std::span<const ChainmailMaterial> material);
 
 /// Gives the model another material; the same rules. On an error the model keeps the material it had.

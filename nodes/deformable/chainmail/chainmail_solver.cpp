@@ -58,21 +58,23 @@ void listDriven(const ChainmailModel& model, ChainmailWorkspace& w, std::span<co
   w.driven.clear();
   for (std::size_t k = 0; k < driven.size(); ++k) {
     const Eigen::Vector3d u = toRest * targets[k].cast<double>() - model.rest[driven[k]].cast<double>();
-    w.driven.push_back({driven[k], static_cast<int>(k), Displacement(u.x(), u.y(), u.z(), 0)});
+    w.driven.push_back(
+        {model.order.inner[driven[k]], static_cast<int>(k), Displacement(u.x(), u.y(), u.z(), 0)});
   }
   std::sort(w.driven.begin(), w.driven.end(),
             [](const Driven& a, const Driven& b) { return a.point < b.point; });
   for (std::size_t k = 1; k < w.driven.size(); ++k)
     if (w.driven[k - 1].point == w.driven[k].point &&
         targets[w.driven[k - 1].source] != targets[w.driven[k].source])
-      refuse("point " + std::to_string(w.driven[k].point) + " is driven to two different targets");
+      refuse("driven point " + std::to_string(driven[w.driven[k].source]) + " has two different targets");
 }
 
 // Makes the point go at least as far as asked, each way, and its neighbours ask again if that moved it.
-void pullPoint(ChainmailWorkspace& w, int point, const ChainmailPull& asked) {
+void pullPoint(const ChainmailModel& model, ChainmailWorkspace& w, int point, const ChainmailPull& asked) {
   ChainmailPull& pull = w.pull[point];
-  if (!(asked > pull).any()) return;
-  pull = pull.max(asked);
+  const ChainmailPull raised = pull.max(asked);
+  if ((raised - pull).sum() == 0) return;
+  pull = raised;
   if (!w.isMoved[point]) {
     w.isMoved[point] = 1;
     w.moved.push_back(point);
@@ -95,7 +97,7 @@ int growRegion(const ChainmailModel& model, ChainmailWorkspace& w) {
     const ChainmailPull pull = w.pull[a];
     const int end = model.topology.begin[a + 1];
     for (int link = model.topology.begin[a]; link < end; ++link)
-      pullPoint(w, model.topology.neighbour[link], pull - model.slack[link]);
+      pullPoint(model, w, model.topology.neighbour[link], pull - model.slack[link]);
   }
   return visits;
 }
@@ -105,7 +107,7 @@ int findDisplacements(const ChainmailModel& model, ChainmailWorkspace& w) {
   const auto opposite = [](const ChainmailPull& p) {
     return (ChainmailPull() << p.tail<4>(), p.head<4>()).finished();
   };
-  for (const Driven& d : w.driven) pullPoint(w, d.point, bothWays(d.u));
+  for (const Driven& d : w.driven) pullPoint(model, w, d.point, bothWays(d.u));
   int visits = growRegion(model, w);
   // Here pull is (max(low, 0), max(-high, 0)). With its zeros closed up to the other bound it can rise again
   // only where low > high, and there the middle needs both in full.
@@ -113,7 +115,7 @@ int findDisplacements(const ChainmailModel& model, ChainmailWorkspace& w) {
     const ChainmailPull back = opposite(w.pull[point]);
     w.pull[point] = (w.pull[point].min(back) > 0).select(w.pull[point], w.pull[point] - back);
   }
-  for (const Driven& d : w.driven) pullPoint(w, d.point, bothWays(d.u));
+  for (const Driven& d : w.driven) pullPoint(model, w, d.point, bothWays(d.u));
   visits += growRegion(model, w);
   for (const int point : w.moved) {
     const ChainmailPull back = opposite(w.pull[point]);
@@ -148,29 +150,36 @@ void smooth(const ChainmailModel& model, ChainmailWorkspace& w, int sweeps) {
   for (const Driven& d : w.driven) w.isDriven[d.point] = 0;
 }
 
+ChainmailPull beyondLimits(const ChainmailModel& model, const ChainmailWorkspace& w, int a, int link) {
+  return w.pull[a] - w.pull[model.topology.neighbour[link]] - model.slack[link];
+}
+
 // Each link of a moved point once; a link between two that rest is at rest.
 void countViolations(const ChainmailModel& model, const ChainmailWorkspace& w, ChainmailReport& report) {
   float largest = 0;
   for (const Driven& d : w.driven) largest = std::max(largest, d.u.abs().maxCoeff());
   const float rounding = 1e-6f * largest;
-  for (const int a : w.moved)
-    for (int link = model.topology.begin[a]; link < model.topology.begin[a + 1]; ++link) {
+  for (const int a : w.moved) {
+    const int begin = model.topology.begin[a], end = model.topology.begin[a + 1];
+    ChainmailPull worst = ChainmailPull::Zero();
+    for (int link = begin; link < end; ++link) worst = worst.max(beyondLimits(model, w, a, link));
+    if (worst.maxCoeff() <= rounding) continue;
+    report.worstViolation = std::max(report.worstViolation, worst.maxCoeff());
+    for (int link = begin; link < end; ++link) {
       const int b = model.topology.neighbour[link];
-      if (b < a && w.isMoved[b]) continue;
-      const float beyond = (w.pull[a] - w.pull[b] - model.slack[link]).maxCoeff();
-      if (beyond <= rounding) continue;
-      ++report.violatedLinks;
-      report.worstViolation = std::max(report.worstViolation, beyond);
+      const bool isCounted = b < a && w.isMoved[b];
+      if (!isCounted && beyondLimits(model, w, a, link).maxCoeff() > rounding) ++report.violatedLinks;
     }
+  }
 }
 
 void place(const ChainmailModel& model, const ChainmailWorkspace& w, const Eigen::Isometry3d& frame,
            std::span<const Eigen::Vector3f> targets, std::span<Eigen::Vector3f> positions) {
   std::copy(model.rest.begin(), model.rest.end(), positions.begin());
-  for (const int point : w.moved) positions[point] += w.pull[point].head<3>().matrix();
+  for (const int point : w.moved) positions[model.order.outer[point]] += w.pull[point].head<3>().matrix();
   if (frame.matrix() != Eigen::Matrix4d::Identity())
     for (Eigen::Vector3f& position : positions) position = (frame * position.cast<double>()).cast<float>();
-  for (const Driven& d : w.driven) positions[d.point] = targets[d.source];
+  for (const Driven& d : w.driven) positions[model.order.outer[d.point]] = targets[d.source];
 }
 
 void clear(ChainmailWorkspace& w) {
