@@ -3,6 +3,7 @@
 #include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 #include <Eigen/Core>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,8 @@ enum class Side { Left, Right };
 
 /// +1 left, -1 right: the sign of x on that side.
 constexpr float sign(Side side) { return side == Side::Left ? 1.0f : -1.0f; }
+
+inline constexpr int kRibSamples = 33;
 
 struct Rib {
   std::string name;  // "RIB_L1" .. "RIB_R12"
@@ -31,7 +34,7 @@ struct Rib {
       innerLine;  // the surface's points that face the lungs, one a centreline sample
 };
 
-inline constexpr int kRibSamples = 33;
+inline constexpr int kCartilageSamples = 17;
 
 struct Cartilage {
   std::string name;  // "CARTILAGE_L1" .. "CARTILAGE_R10"
@@ -44,8 +47,6 @@ struct Cartilage {
   Eigen::Vector3f start;                    // centreline.front(), inside the rib's end
   Eigen::Vector3f end;                      // centreline.back(), on the sternum or on the cartilage above
 };
-
-inline constexpr int kCartilageSamples = 17;
 
 /// Manubrium, body and xiphoid as one closed bone.
 struct Sternum {
@@ -99,9 +100,20 @@ struct Anatomy {
   std::vector<Lung> lungs;  // left, right
 };
 
-/// The rib of a number 1..12; throws std::out_of_range. `cartilage` likewise, 1..10.
-const Rib& rib(const Anatomy& anatomy, Side side, int number);
-const Cartilage& cartilage(const Anatomy& anatomy, Side side, int number);
+/// The rib or cartilage of a side and number; throws std::out_of_range if there is none.
+template <class Part>
+const Part& partOf(const std::vector<Part>& parts, Side side, int number) {
+  for (const Part& part : parts) {
+    if (part.side == side && part.number == number) return part;
+  }
+  throw std::out_of_range("anatomy: no part of that side and number");
+}
+inline const Rib& rib(const Anatomy& anatomy, Side side, int number) {
+  return partOf(anatomy.ribs, side, number);
+}
+inline const Cartilage& cartilage(const Anatomy& anatomy, Side side, int number) {
+  return partOf(anatomy.cartilages, side, number);
+}
 
 /// The default thorax, made from figures measured on one man (measurements/README.md). Same bytes at every
 /// call.

@@ -90,9 +90,9 @@ Tube::Tube(std::vector<TubeStation> stations) : stations_(std::move(stations)) {
   }
   curvature_ = splineCurvature(stations_);
   arcLength_.push_back(0.0);
-  Vector3d last = sectionAtFraction(0.0).centre;
+  Vector3d last = stations_.front().centre;
   for (int k = 1; k <= kSamples; ++k) {
-    const Vector3d next = sectionAtFraction(static_cast<double>(k) / kSamples).centre;
+    const Vector3d next = sectionAtSample(k).centre;
     arcLength_.push_back(arcLength_.back() + (next - last).norm());
     last = next;
   }
@@ -124,14 +124,16 @@ TubeSection Tube::sectionAtFraction(double fraction) const {
   return section;
 }
 
+TubeSection Tube::sectionAtSample(double sample) const {
+  const double first = stations_.front().fraction;
+  return sectionAtFraction(first + (stations_.back().fraction - first) * sample / kSamples);
+}
+
 TubeSection Tube::at(double arcLength) const {
   const auto after = std::upper_bound(arcLength_.begin() + 1, arcLength_.end() - 1, arcLength);
   const double before = *(after - 1);
   const double t = std::clamp((arcLength - before) / (*after - before), 0.0, 1.0);
-  const double first = stations_.front().fraction;
-  const double span = stations_.back().fraction - first;
-  return sectionAtFraction(first +
-                           span * (static_cast<double>(after - arcLength_.begin()) - 1.0 + t) / kSamples);
+  return sectionAtSample(static_cast<double>(after - arcLength_.begin()) - 1.0 + t);
 }
 
 std::vector<Vector3d> Tube::centreline(int samples) const {

@@ -9,7 +9,7 @@ namespace pleura {
 
 /// An elliptical cross-section of a bone, as measured at one station.
 struct TubeStation {
-  double fraction = 0.0;   // of the way along, 0 .. 1
+  double fraction = 0.0;   // of the way along
   Eigen::Vector3d centre;  // [m]
   double halfMajor = 0.0;  // [m]
   double halfMinor = 0.0;  // [m]
@@ -43,10 +43,11 @@ class Tube {
 
  private:
   TubeSection sectionAtFraction(double fraction) const;
+  TubeSection sectionAtSample(double sample) const;
 
   std::vector<TubeStation> stations_;
   std::vector<Eigen::Vector3d> curvature_;  // second derivatives of the spline at the stations
-  std::vector<double> arcLength_;           // at kSamples + 1 equal fractions
+  std::vector<double> arcLength_;           // at equal steps of the fraction
 };
 
 /// The tube's skin: closed, normals outwards, rounded within its length at both ends.
