@@ -1,0 +1,18 @@
+#include <pleura/nodes/thorax/anatomy/anatomy.h>
+#include <pleura/nodes/thorax/anatomy/cartilages.h>
+#include <pleura/nodes/thorax/anatomy/ribs.h>
+#include <pleura/nodes/thorax/anatomy/sternum.h>
+#include <pleura/nodes/thorax/anatomy/vertebrae.h>
+
+namespace pleura {
+
+Anatomy generateAnatomy() {
+  Anatomy anatomy;
+  anatomy.ribs = generateRibs();
+  anatomy.cartilages = generateCartilages(anatomy.ribs);
+  anatomy.sternum = generateSternum();
+  anatomy.vertebrae = generateVertebrae();
+  return anatomy;
+}
+
+}  // namespace pleura
