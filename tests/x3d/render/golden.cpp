@@ -28,7 +28,8 @@ Difference difference(const Image& a, const Image& b) {
   for (std::size_t i = 0; i < a.pixels.size(); ++i) d.mean += std::abs(a.pixels[i] - b.pixels[i]);
   d.mean /= static_cast<double>(a.pixels.size());
   for (int top = 0; top < a.height; top += tile)
-    for (int left = 0; left < a.width; left += tile) d.maxTile = std::max(d.maxTile, tileMean(a, b, left, top));
+    for (int left = 0; left < a.width; left += tile)
+      d.maxTile = std::max(d.maxTile, tileMean(a, b, left, top));
   return d;
 }
 
@@ -43,7 +44,8 @@ void expectGolden(const Image& image, const std::string& name) {
   const std::string golden = PLEURA_SOURCE_DIR "/tests/x3d/render/golden/" + name + ".png";
   const std::string actual = name + ".actual.png";
   writePng(image, actual);
-  ASSERT_TRUE(std::filesystem::exists(golden)) << "no " << golden << "; look at " << actual << " and keep it if right";
+  ASSERT_TRUE(std::filesystem::exists(golden))
+      << "no " << golden << "; look at " << actual << " and keep it if right";
   const Image expected = readPng(golden);
   ASSERT_EQ(image.width, expected.width);
   ASSERT_EQ(image.height, expected.height);

@@ -18,8 +18,9 @@ Difference difference(const Image& a, const Image& b);
 /// The list drawn by OSMesa at 320 x 240.
 Image drawGolden(const DrawList& list);
 
-/// Expects the picture to be golden/<name>.png within a mean of 0.5 and a tile mean of 4 of 255. A picture that fails, or has no
-/// golden yet, is left beside the test program as <name>.actual.png for a person to look at.
+/// Expects the picture to be golden/<name>.png within a mean of 0.5 and a tile mean of 4 of 255. A picture
+/// that fails, or has no golden yet, is left beside the test program as <name>.actual.png for a person to
+/// look at.
 void expectGolden(const Image& image, const std::string& name);
 
 }  // namespace pleura::test

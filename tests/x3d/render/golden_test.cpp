@@ -2,9 +2,8 @@
 
 #include <numbers>
 
-#include <gtest/gtest.h>
-
 #include "shapes.h"
+#include <gtest/gtest.h>
 
 namespace pleura::test {
 namespace {

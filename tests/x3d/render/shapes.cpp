@@ -33,7 +33,8 @@ Shape sphere(float radius, int rings) {
     for (int c = 0; c <= rings; ++c) {
       const float polar = pi * static_cast<float>(r) / static_cast<float>(rings);
       const float azimuth = 2 * pi * static_cast<float>(c) / static_cast<float>(rings);
-      const Eigen::Vector3f n(std::sin(polar) * std::sin(azimuth), std::cos(polar), std::sin(polar) * std::cos(azimuth));
+      const Eigen::Vector3f n(std::sin(polar) * std::sin(azimuth), std::cos(polar),
+                              std::sin(polar) * std::cos(azimuth));
       shape.normals.push_back(n);
       shape.positions.push_back(radius * n);
     }
@@ -70,7 +71,7 @@ Shape rod(float radius, float height) {
 Shape trough(float radius, float length) {
   Shape shape;
   constexpr int steps = 24;
-  for (const float z : {-length / 2, length / 2})
+  for (const float z : {length / 2, -length / 2})
     for (int c = 0; c <= steps; ++c) {
       const float angle = pi * static_cast<float>(c) / steps;
       const Eigen::Vector3f outwards(-std::cos(angle), -std::sin(angle), 0);
@@ -84,7 +85,8 @@ Shape trough(float radius, float length) {
 }
 
 void lookFrom(DrawList& list, const Eigen::Vector3f& eye) {
-  const Eigen::Vector3f z = eye.normalized(), x = Eigen::Vector3f::UnitY().cross(z).normalized(), y = z.cross(x);
+  const Eigen::Vector3f z = eye.normalized(), x = Eigen::Vector3f::UnitY().cross(z).normalized(),
+                        y = z.cross(x);
   list.camera.view = Eigen::Matrix4f::Identity();
   list.camera.view.topLeftCorner<3, 3>() << x.transpose(), y.transpose(), z.transpose();
   list.camera.view.topRightCorner<3, 1>() = -list.camera.view.topLeftCorner<3, 3>() * eye;

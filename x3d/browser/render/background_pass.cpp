@@ -1,8 +1,8 @@
+#include <numbers>
+
 #include <pleura/x3d/browser/render/background_pass.h>
 #include <pleura/x3d/browser/render/projection.h>
 #include <pleura/x3d/browser/render/shaders.h>
-
-#include <numbers>
 
 namespace pleura {
 namespace {

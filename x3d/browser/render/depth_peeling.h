@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pleura/x3d/browser/render/render_target.h>
-#include <pleura/x3d/browser/render/surface_pass.h>
-
 #include <functional>
 #include <span>
+
+#include <pleura/x3d/browser/render/render_target.h>
+#include <pleura/x3d/browser/render/surface_pass.h>
 
 namespace pleura {
 

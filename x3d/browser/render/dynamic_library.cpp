@@ -1,7 +1,8 @@
-#include <dlfcn.h>
-#include <pleura/x3d/browser/render/dynamic_library.h>
-
 #include <stdexcept>
+
+#include <dlfcn.h>
+
+#include <pleura/x3d/browser/render/dynamic_library.h>
 
 namespace pleura {
 

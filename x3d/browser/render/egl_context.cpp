@@ -1,8 +1,9 @@
+#include <stdexcept>
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <pleura/x3d/browser/render/egl_context.h>
 
-#include <stdexcept>
+#include <pleura/x3d/browser/render/egl_context.h>
 
 namespace pleura {
 namespace {

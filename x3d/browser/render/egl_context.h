@@ -1,6 +1,7 @@
 #pragma once
 
 #include <EGL/egl.h>
+
 #include <pleura/x3d/browser/render/dynamic_library.h>
 #include <pleura/x3d/browser/render/gl_context.h>
 

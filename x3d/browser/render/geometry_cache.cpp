@@ -1,8 +1,9 @@
-#include <fmt/format.h>
-#include <pleura/x3d/browser/render/geometry_cache.h>
-
 #include <algorithm>
 #include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <pleura/x3d/browser/render/geometry_cache.h>
 
 namespace pleura {
 namespace {

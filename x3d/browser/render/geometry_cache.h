@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pleura/x3d/browser/render/draw_list.h>
-#include <pleura/x3d/browser/render/gl_objects.h>
-
 #include <map>
 #include <memory>
+
+#include <pleura/x3d/browser/render/draw_list.h>
+#include <pleura/x3d/browser/render/gl_objects.h>
 
 namespace pleura {
 

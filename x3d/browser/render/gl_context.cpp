@@ -1,9 +1,9 @@
+#include <stdexcept>
+#include <string>
+
 #include <pleura/x3d/browser/render/egl_context.h>
 #include <pleura/x3d/browser/render/gl_context.h>
 #include <pleura/x3d/browser/render/osmesa_context.h>
-
-#include <stdexcept>
-#include <string>
 
 namespace pleura {
 namespace {

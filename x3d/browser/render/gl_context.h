@@ -1,9 +1,10 @@
 #pragma once
 
-#include <pleura/x3d/browser/render/gl_functions.h>
+#include <memory>
 
 #include <Eigen/Core>
-#include <memory>
+
+#include <pleura/x3d/browser/render/gl_functions.h>
 
 namespace pleura {
 

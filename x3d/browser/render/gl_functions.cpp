@@ -1,8 +1,9 @@
+#include <stdexcept>
+
 #include <fmt/format.h>
+
 #include <pleura/x3d/browser/render/gl_context.h>
 #include <pleura/x3d/browser/render/gl_functions.h>
-
-#include <stdexcept>
 
 namespace pleura {
 namespace {

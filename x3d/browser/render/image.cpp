@@ -1,11 +1,12 @@
-#include <fmt/format.h>
-#include <pleura/x3d/browser/render/image.h>
-#include <png.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <pleura/x3d/browser/render/image.h>
 
 namespace pleura {
 namespace {

@@ -1,8 +1,8 @@
-#include <pleura/x3d/browser/render/light_buffer.h>
-
 #include <array>
 
 #include <Eigen/Geometry>
+
+#include <pleura/x3d/browser/render/light_buffer.h>
 
 namespace pleura {
 namespace {

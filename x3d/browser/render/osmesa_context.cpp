@@ -1,6 +1,6 @@
-#include <pleura/x3d/browser/render/osmesa_context.h>
-
 #include <stdexcept>
+
+#include <pleura/x3d/browser/render/osmesa_context.h>
 
 namespace pleura {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pleura/x3d/browser/render/dynamic_library.h>
-#include <pleura/x3d/browser/render/gl_context.h>
-
 #include <array>
 #include <cstdint>
+
+#include <pleura/x3d/browser/render/dynamic_library.h>
+#include <pleura/x3d/browser/render/gl_context.h>
 
 namespace pleura {
 

@@ -1,10 +1,10 @@
-#include <pleura/x3d/browser/render/projection.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
+
+#include <pleura/x3d/browser/render/projection.h>
 
 namespace pleura {
 namespace {

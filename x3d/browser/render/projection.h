@@ -1,9 +1,10 @@
 #pragma once
 
-#include <pleura/x3d/browser/render/draw_list.h>
+#include <optional>
 
 #include <Eigen/Core>
-#include <optional>
+
+#include <pleura/x3d/browser/render/draw_list.h>
 
 namespace pleura {
 

@@ -1,8 +1,9 @@
-#include <fmt/format.h>
-#include <pleura/x3d/browser/render/render_target.h>
-
 #include <algorithm>
 #include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <pleura/x3d/browser/render/render_target.h>
 
 namespace pleura {
 namespace {

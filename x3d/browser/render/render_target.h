@@ -1,9 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include <pleura/x3d/browser/render/gl_objects.h>
 #include <pleura/x3d/browser/render/image.h>
-
-#include <optional>
 
 namespace pleura {
 

@@ -1,19 +1,21 @@
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
 #include <fmt/format.h>
+
 #include <pleura/x3d/browser/render/background_pass.h>
 #include <pleura/x3d/browser/render/depth_peeling.h>
 #include <pleura/x3d/browser/render/geometry_cache.h>
 #include <pleura/x3d/browser/render/light_buffer.h>
+#include <pleura/x3d/browser/render/overlay_pass.h>
 #include <pleura/x3d/browser/render/projection.h>
 #include <pleura/x3d/browser/render/render_target.h>
 #include <pleura/x3d/browser/render/renderer.h>
 #include <pleura/x3d/browser/render/shaders.h>
 #include <pleura/x3d/browser/render/surface_pass.h>
 #include <pleura/x3d/browser/render/validate.h>
-
-#include <cstring>
-#include <optional>
-#include <stdexcept>
-#include <vector>
 
 namespace pleura {
 namespace {
@@ -61,7 +63,8 @@ struct Renderer::Implementation {
         lights(gl),
         background(gl, version),
         shaded(gl, version, shaders::surfaceFragment),
-        peeling(gl, peelHeader(perSample)) {}
+        peeling(gl, peelHeader(perSample)),
+        overlay(gl, version) {}
 
   void collectSurfaces(const DrawList& list);
   void drawOpaque(const FrameUniforms& frame);
@@ -75,6 +78,7 @@ struct Renderer::Implementation {
   BackgroundPass background;
   SurfacePass shaded;
   DepthPeeling peeling;
+  OverlayPass overlay;
   std::optional<RenderTarget> target;
   std::vector<SurfaceDraw> opaque, transparent;
   RenderStats stats;
@@ -131,6 +135,7 @@ void Renderer::draw(const DrawList& list, int width, int height) {
   self.stats.draws =
       static_cast<int>(self.opaque.size() + self.transparent.size() * (2 * self.stats.transparentLayers + 1));
   self.target->resolve();
+  self.overlay.draw(list.overlay, width, height);
 }
 
 Image Renderer::readImage() {

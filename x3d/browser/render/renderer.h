@@ -1,10 +1,10 @@
 #pragma once
 
+#include <memory>
+
 #include <pleura/x3d/browser/render/draw_list.h>
 #include <pleura/x3d/browser/render/gl_context.h>
 #include <pleura/x3d/browser/render/image.h>
-
-#include <memory>
 
 namespace pleura {
 

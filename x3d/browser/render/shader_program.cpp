@@ -1,6 +1,6 @@
-#include <pleura/x3d/browser/render/shader_program.h>
-
 #include <stdexcept>
+
+#include <pleura/x3d/browser/render/shader_program.h>
 
 namespace pleura {
 namespace {

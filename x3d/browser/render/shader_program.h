@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pleura/x3d/browser/render/gl_functions.h>
-
 #include <string>
+
+#include <pleura/x3d/browser/render/gl_functions.h>
 
 namespace pleura {
 

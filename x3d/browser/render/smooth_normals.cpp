@@ -1,8 +1,8 @@
-#include <pleura/x3d/browser/render/smooth_normals.h>
-
 #include <algorithm>
 
 #include <Eigen/Geometry>
+
+#include <pleura/x3d/browser/render/smooth_normals.h>
 
 namespace pleura {
 

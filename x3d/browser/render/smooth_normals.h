@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <span>
+
+#include <Eigen/Core>
 
 namespace pleura {
 

@@ -1,9 +1,9 @@
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
 #include <pleura/x3d/browser/render/light_buffer.h>
 #include <pleura/x3d/browser/render/shaders.h>
 #include <pleura/x3d/browser/render/surface_pass.h>
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 
 namespace pleura {
 

@@ -1,10 +1,11 @@
-#include <fmt/format.h>
-#include <pleura/x3d/browser/render/background_pass.h>
-#include <pleura/x3d/browser/render/validate.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <pleura/x3d/browser/render/background_pass.h>
+#include <pleura/x3d/browser/render/validate.h>
 
 namespace pleura {
 namespace {
