@@ -54,7 +54,7 @@ struct Material {
 struct DrawItem {
   const Geometry* geometry = nullptr;
   Eigen::Matrix4f model = Eigen::Matrix4f::Identity();  // to world space
-  Material material;
+  Material material = {};
   std::uint32_t lights = ~0u;
   float size = 1.0f;  // of points and lines [pixel]; lines as wide as the OpenGL at hand can
 };
