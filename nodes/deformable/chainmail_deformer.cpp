@@ -26,10 +26,12 @@ void ChainmailDeformer::declare(NodeType& type) {
 }
 
 void ChainmailDeformer::setRest(const TriangleMesh& rest, std::span<const int> rigidPoints) {
-  const ChainmailMaterial soft{compressionFactor.getValue(), stretchFactor.getValue(), shearFactor.getValue()};
+  const ChainmailMaterial soft{compressionFactor.getValue(), stretchFactor.getValue(),
+                               shearFactor.getValue()};
   std::vector<ChainmailMaterial> material(rest.points.size(), soft);
   for (const int point : rigidPoints)
-    if (point >= 0 && point < static_cast<int>(material.size())) material[static_cast<std::size_t>(point)] = kRigid;
+    if (point >= 0 && point < static_cast<int>(material.size()))
+      material[static_cast<std::size_t>(point)] = kRigid;
   model_ = makeChainmailModel(rest.points, linkTriangles(rest.points, rest.triangles), material);
   workspace_.emplace(model_->topology.pointCount());
 }

@@ -19,7 +19,8 @@ class ChainmailDeformer : public DeformerNode {
   SFInt32 violatedLinks;
 
   void setRest(const TriangleMesh& rest, std::span<const int> rigidPoints) override;
-  void deform(std::span<const int> driven, std::span<const Vec3f> targets, std::span<Vec3f> positions) override;
+  void deform(std::span<const int> driven, std::span<const Vec3f> targets,
+              std::span<Vec3f> positions) override;
 
   static void declare(NodeType& type);
 

@@ -5,8 +5,8 @@
 
 namespace pleura {
 
-/// The triangles of an IndexedTriangleSet or IndexedFaceSet over the points of its Coordinate, faces of more corners as
-/// fans, indices out of range left out; empty for any other geometry.
+/// The triangles of an IndexedTriangleSet or IndexedFaceSet over the points of its Coordinate, faces of more
+/// corners as fans, indices out of range left out; empty for any other geometry.
 TriangleMesh restMesh(X3DGeometryNode& geometry);
 
 }  // namespace pleura

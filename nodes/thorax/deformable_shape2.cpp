@@ -21,7 +21,8 @@ void DeformableShape2::declare(NodeType& type) {
       .means("the shape at rest; the geometry's own points when empty");
   type.field<&DeformableShape2::rigid_points>("rigid_points", inputOutput, {})
       .means("points that keep their places to one another");
-  type.field<&DeformableShape2::contactIndex>("contactIndex", inputOutput, {}).means("the points that are moved");
+  type.field<&DeformableShape2::contactIndex>("contactIndex", inputOutput, {})
+      .means("the points that are moved");
   type.field<&DeformableShape2::contactPoint>("contactPoint", inputOutput, {})
       .measuredIn(Unit::length)
       .means("where they are moved to, one for each of contactIndex");
@@ -39,9 +40,11 @@ void DeformableShape2::declare(NodeType& type) {
 void DeformableShape2::onInitialize() {
   auto* composed = dynamic_cast<X3DComposedGeometryNode*>(geometry.get());
   auto* coordinate = composed != nullptr ? dynamic_cast<Coordinate*>(composed->coord.get()) : nullptr;
-  if (coordinate == nullptr) return context().warn(*this, "the geometry has no Coordinate whose points could move");
+  if (coordinate == nullptr)
+    return context().warn(*this, "the geometry has no Coordinate whose points could move");
   if (origCoord.empty()) origCoord.setValue(coordinate->point.getValue());
-  for (Field* input : std::initializer_list<Field*>{&deformer, &origCoord, &rigid_points, &contactIndex, &contactPoint})
+  for (Field* input :
+       std::initializer_list<Field*>{&deformer, &origCoord, &rigid_points, &contactIndex, &contactPoint})
     input->routeNoEvent(deformedCoord, id);
   deformedCoord.routeNoEvent(volume, id);
   deformedCoord.routeNoEvent(top, id);
@@ -92,7 +95,8 @@ void DeformableShape2::deform(std::vector<Vec3f>& positions) {
   auto* solver = deformer.get();
   if (solver == nullptr) return;
   try {
-    const std::uint64_t stamp = std::max({deformer.getStamp(), origCoord.getStamp(), rigid_points.getStamp()});
+    const std::uint64_t stamp =
+        std::max({deformer.getStamp(), origCoord.getStamp(), rigid_points.getStamp()});
     if (stamp != restStamp_ || !usable_) {
       restStamp_ = stamp;
       usable_ = false;
@@ -116,7 +120,8 @@ void DeformableShape2::Volume::update() {
 void DeformableShape2::Top::update() {
   const auto& points = static_cast<MFVec3f*>(routes_in[0])->getValue();
   value = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) value = i == 0 ? points[i].y() : std::max(value, points[i].y());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    value = i == 0 ? points[i].y() : std::max(value, points[i].y());
 }
 
 }  // namespace pleura

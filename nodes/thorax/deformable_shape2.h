@@ -10,8 +10,8 @@
 
 namespace pleura {
 
-/// A shape that deforms because some of its points are moved: an organ. Its geometry is an IndexedTriangleSet or
-/// IndexedFaceSet with a Coordinate, which shows `deformedCoord`. Nobody looks, nothing is computed.
+/// A shape that deforms because some of its points are moved: an organ. Its geometry is an IndexedTriangleSet
+/// or IndexedFaceSet with a Coordinate, which shows `deformedCoord`. Nobody looks, nothing is computed.
 class DeformableShape2 : public X3DShapeNode {
  public:
   TypedSFNode<DeformerNode> deformer;

@@ -8,7 +8,8 @@ namespace pleura {
 
 void Respiration::declare(NodeType& type) {
   Node::declare(type);
-  type.named("Respiration", "Pleura").means("the breath: rate, depth, pattern and pause; drives ribs and diaphragm");
+  type.named("Respiration", "Pleura")
+      .means("the breath: rate, depth, pattern and pause; drives ribs and diaphragm");
   using enum Access;
   type.field<&Respiration::rate>("rate", inputOutput, 15.f)
       .measuredIn(Unit::perMinute)
@@ -28,7 +29,9 @@ void Respiration::declare(NodeType& type) {
   type.field<&Respiration::diaphragmTop>("diaphragmTop", inputOnly, 0)
       .measuredIn(Unit::length)
       .means("height of the diaphragm's highest point");
-  type.field<&Respiration::phase>("phase", outputOnly, 0).within(0, 1).means("where in the breath, from its start");
+  type.field<&Respiration::phase>("phase", outputOnly, 0)
+      .within(0, 1)
+      .means("where in the breath, from its start");
   type.field<&Respiration::inflation>("inflation", outputOnly, 0).means("0 at FRC, 1 at TLC");
   type.field<&Respiration::lungVolume>("lungVolume", outputOnly, 0)
       .measuredIn(Unit::volume)
@@ -61,7 +64,8 @@ void Respiration::anchor() {
   const Time now = context().time.getValue();
   anchorBreaths_ = breathsAt(now);
   anchorTime_ = now;
-  anchorRate_ = paused.getValue() || !std::isfinite(rate.getValue()) ? 0 : std::clamp(rate.getValue(), 0.f, 120.f);
+  anchorRate_ =
+      paused.getValue() || !std::isfinite(rate.getValue()) ? 0 : std::clamp(rate.getValue(), 0.f, 120.f);
 }
 
 void Respiration::takeDepthAndStyle() {
@@ -86,7 +90,8 @@ void Respiration::onChange() {
 
 void Respiration::onKey() {
   const std::string& key = keyPress.getValue(id);
-  if (!key.empty() && pauseKeys.getValue().find(key) != std::string::npos) paused.setValue(!paused.getValue());
+  if (!key.empty() && pauseKeys.getValue().find(key) != std::string::npos)
+    paused.setValue(!paused.getValue());
 }
 
 void Respiration::publish(double breaths) {

@@ -10,8 +10,9 @@
 
 namespace pleura {
 
-/// The breath that a thorax breathes: one scalar, `inflation`, that ribs and diaphragm follow. Everything is live:
-/// a new rate or a pause takes hold at once and without a jump, a new depth or style with the next breath.
+/// The breath that a thorax breathes: one scalar, `inflation`, that ribs and diaphragm follow. Everything is
+/// live: a new rate or a pause takes hold at once and without a jump, a new depth or style with the next
+/// breath.
 class Respiration : public X3DChildNode {
  public:
   SFFloat rate;
@@ -32,8 +33,8 @@ class Respiration : public X3DChildNode {
   SFFloat inflation;
   SFFloat lungVolume;
   SFFloat domeHeight;
-  /// Largest less smallest lung volume of the last whole breath, of the present one until there is one: of the times
-  /// at which it was read.
+  /// Largest less smallest lung volume of the last whole breath, of the present one until there is one: of
+  /// the times at which it was read.
   class Swing : public TypedField<SFFloat, Types<SFFloat>> {
     void update() override;
     double breath_ = -1;

@@ -23,7 +23,8 @@ void RotTransform::declare(NodeType& type) {
   using enum Access;
   type.field<&RotTransform::angles>("angles", inputOutput, Vec3f::Zero())
       .means("pump-handle and bucket-handle turn at TLC [rad]; side: 1 left, -1 right, 0 midline");
-  type.field<&RotTransform::inflation>("inflation", inputOutput, 0).means("0 at FRC, 1 at TLC; moves `rotation`");
+  type.field<&RotTransform::inflation>("inflation", inputOutput, 0)
+      .means("0 at FRC, 1 at TLC; moves `rotation`");
   type.field<&RotTransform::rota>("rota", inputOutput, {})
       .means("rotation of a sine of `frequency` over the time routed here; to be routed on to rotation");
   type.field<&RotTransform::frequency>("frequency", inputOutput, 0.25f)

@@ -5,8 +5,8 @@
 
 namespace pleura {
 
-/// A rib: turns about its costovertebral joint (`center`), the pump handle about the left-right axis, then the bucket
-/// handle about the dorso-ventral axis, as far as the chest is inflated.
+/// A rib: turns about its costovertebral joint (`center`), the pump handle about the left-right axis, then
+/// the bucket handle about the dorso-ventral axis, as far as the chest is inflated.
 class RotTransform : public Transform {
  public:
   SFVec3f angles;

@@ -9,7 +9,7 @@
 #include <pleura/x3d/browser/render/renderer.h>
 #include <pleura/x3d/browser/render/shader_program.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 constexpr int width = 1280, height = 720, samples = 4;
@@ -201,4 +201,4 @@ BENCHMARK(opaqueByRenderer)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(breathingThorax)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
-}  // namespace pleura
+}  // namespace pleura::render

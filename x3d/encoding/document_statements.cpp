@@ -119,6 +119,22 @@ void DocumentBuilder::importLibrary(const Attributes& attributes, std::size_t ta
   }
 }
 
+std::optional<std::filesystem::path> DocumentBuilder::pathOf(const std::string& url) const {
+  constexpr std::string_view kAnatomy = "anatomy/";
+  const auto& elsewhere = reader_.limits_.anatomyFolder;
+  const bool isMoved = !elsewhere.empty() && url.starts_with(kAnatomy);
+  const auto path = isMoved ? elsewhere / url.substr(kAnatomy.size()) : folder_ / url;
+  std::error_code ignored;
+  const auto file = std::filesystem::weakly_canonical(path, ignored);
+  const auto isBelow = [&](const std::filesystem::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+  };
+  const bool isAllowed =
+      reader_.limits_.outsideFolder || isBelow(reader_.root_) ||
+      (!elsewhere.empty() && isBelow(std::filesystem::weakly_canonical(elsewhere, ignored)));
+  return isAllowed ? std::optional(path) : std::nullopt;
+}
+
 void DocumentBuilder::loadInline(const Open& opened) {
   auto& node = dynamic_cast<Inline&>(*opened.node);
   if (!node.load.getValue()) return;
@@ -128,22 +144,19 @@ void DocumentBuilder::loadInline(const Open& opened) {
   for (const auto& url : urls) {
     tried += (tried.empty() ? "" : ", ") + url;
     if (url.find("://") != std::string::npos) continue;
+    const auto path = pathOf(url);
+    if (!path)
+      return error(at, fmt::format("{}.url: {} is outside the scene's folder, which is not allowed",
+                                   node.describe(), url));
     std::error_code ignored;
-    const auto file = std::filesystem::weakly_canonical(folder_ / url, ignored);
-    const auto [end, rest] =
-        std::mismatch(reader_.root_.begin(), reader_.root_.end(), file.begin(), file.end());
-    if (end != reader_.root_.end() && !reader_.limits_.outsideFolder) {
-      error(at, fmt::format("{}.url: {} is outside the scene's folder, which is not allowed", node.describe(),
-                            url));
-      return;
-    }
+    const auto file = std::filesystem::weakly_canonical(*path, ignored);
     if (!std::filesystem::exists(file, ignored)) continue;
     if (std::find(reader_.reading_.begin(), reader_.reading_.end(), file) != reader_.reading_.end())
       return error(at, fmt::format("{}.url: {} inlines itself", node.describe(), url));
     if (reader_.reading_.size() >= static_cast<std::size_t>(reader_.limits_.inlineDepth))
       return error(
           at, fmt::format("{}.url: {} files inline one another", node.describe(), reader_.reading_.size()));
-    Document inner = reader_.readFile(folder_ / url);
+    Document inner = reader_.readFile(*path);
     node.contents.setValue(inner.nodes);
     inlined_.emplace(opened.node.get(), std::move(inner));
     return;

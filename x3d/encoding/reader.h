@@ -16,6 +16,7 @@ namespace pleura {
 /// What a file may do and how large it may get.
 struct ReaderLimits {
   bool outsideFolder = false;            // Inlines may leave the first file's folder
+  std::filesystem::path anatomyFolder;   // where "anatomy/..." is looked for instead; empty: beside the file
   int depth = 1000;                      // of elements, and of nodes through USE
   int inlineDepth = 16;                  // of files that inline files
   std::size_t expandedNodes = 20000000;  // counting each USE as a copy

@@ -8,7 +8,7 @@
 
 #include <pleura/x3d/browser/render/renderer.h>
 
-namespace pleura::test {
+namespace pleura::render::test {
 namespace {
 
 constexpr int tile = 16;
@@ -55,4 +55,4 @@ void expectGolden(const Image& image, const std::string& name) {
   if (!::testing::Test::HasFailure()) std::filesystem::remove(actual);
 }
 
-}  // namespace pleura::test
+}  // namespace pleura::render::test

@@ -5,7 +5,7 @@
 #include <pleura/x3d/browser/render/draw_list.h>
 #include <pleura/x3d/browser/render/image.h>
 
-namespace pleura::test {
+namespace pleura::render::test {
 
 /// How far two pictures of one size are apart.
 struct Difference {
@@ -23,4 +23,4 @@ Image drawGolden(const DrawList& list);
 /// look at.
 void expectGolden(const Image& image, const std::string& name);
 
-}  // namespace pleura::test
+}  // namespace pleura::render::test

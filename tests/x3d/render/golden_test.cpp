@@ -5,7 +5,7 @@
 #include "shapes.h"
 #include <gtest/gtest.h>
 
-namespace pleura::test {
+namespace pleura::render::test {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
@@ -103,4 +103,4 @@ TEST(Golden, PointSpotAndDirectionalLights) {
 }
 
 }  // namespace
-}  // namespace pleura::test
+}  // namespace pleura::render::test

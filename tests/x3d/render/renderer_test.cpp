@@ -11,7 +11,7 @@
 
 #include <pleura/x3d/browser/render/renderer.h>
 
-namespace pleura::test {
+namespace pleura::render::test {
 namespace {
 
 Material glow(const Eigen::Vector3f& color, float transparency = 0) {
@@ -286,4 +286,4 @@ TEST_F(RendererTest, EmptyGeometryAndEmptyListDrawNothing) {
 }
 
 }  // namespace
-}  // namespace pleura::test
+}  // namespace pleura::render::test

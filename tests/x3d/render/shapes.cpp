@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace pleura::test {
+namespace pleura::render::test {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
@@ -96,4 +96,4 @@ Eigen::Matrix4f translation(float x, float y, float z) {
   return Eigen::Affine3f(Eigen::Translation3f(x, y, z)).matrix();
 }
 
-}  // namespace pleura::test
+}  // namespace pleura::render::test

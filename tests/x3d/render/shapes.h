@@ -6,7 +6,7 @@
 
 #include <pleura/x3d/browser/render/draw_list.h>
 
-namespace pleura::test {
+namespace pleura::render::test {
 
 /// A Geometry with the arrays it looks at.
 struct Shape {
@@ -37,4 +37,4 @@ void lookFrom(DrawList& list, const Eigen::Vector3f& eye);
 
 Eigen::Matrix4f translation(float x, float y, float z);
 
-}  // namespace pleura::test
+}  // namespace pleura::render::test

@@ -4,7 +4,7 @@
 #include <pleura/x3d/browser/render/projection.h>
 #include <pleura/x3d/browser/render/shaders.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 /// Each colour with the angle at which it is pure; the first stands at the pole.
@@ -61,4 +61,4 @@ void BackgroundPass::draw(const Background& background, const Camera& camera, in
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

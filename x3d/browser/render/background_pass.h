@@ -4,7 +4,7 @@
 #include <pleura/x3d/browser/render/gl_objects.h>
 #include <pleura/x3d/browser/render/shader_program.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// X3D Background's sky and ground, wherever nothing has been drawn yet.
 class BackgroundPass {
@@ -20,4 +20,4 @@ class BackgroundPass {
   GlVertexArray noVertices_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -1,7 +1,7 @@
 #include <pleura/x3d/browser/render/depth_peeling.h>
 #include <pleura/x3d/browser/render/shaders.h>
 
-namespace pleura {
+namespace pleura::render {
 
 DepthPeeling::DepthPeeling(const GlFunctions& gl, const std::string& header)
     : gl_(gl), peel_(gl, header, shaders::peelFragment), anything_(gl) {}
@@ -50,4 +50,4 @@ void DepthPeeling::blendLayer(std::span<const SurfaceDraw> surfaces, const Frame
   gl_.Disable(GL_BLEND);
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -6,7 +6,7 @@
 #include <pleura/x3d/browser/render/render_target.h>
 #include <pleura/x3d/browser/render/surface_pass.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// Transparent surfaces in the right order for every sample (Everitt 2001, from the back): per layer, the
 /// farthest depth in front of the layer before is found, then what stands at that depth is shaded and blended
@@ -36,4 +36,4 @@ class DepthPeeling {
   GlQuery anything_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace pleura {
+namespace pleura::render {
 
 enum class Primitive { Triangles, Lines, Points };
 
@@ -123,4 +123,4 @@ struct DrawList {
   std::vector<OverlayText> overlay;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

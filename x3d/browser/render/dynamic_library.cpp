@@ -4,7 +4,7 @@
 
 #include <pleura/x3d/browser/render/dynamic_library.h>
 
-namespace pleura {
+namespace pleura::render {
 
 DynamicLibrary::DynamicLibrary(const std::vector<std::string>& names) {
   std::string reasons;
@@ -22,4 +22,4 @@ void* DynamicLibrary::symbol(const char* name) const {
   return address;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

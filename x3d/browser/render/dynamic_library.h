@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace pleura {
+namespace pleura::render {
 
 /// A shared library opened at run time, so that the program starts on machines without it. Stays open for
 /// good: Mesa's drivers leave threads and exit handlers behind that need their code.
@@ -24,4 +24,4 @@ class DynamicLibrary {
   void* handle_ = nullptr;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 
 #include <pleura/x3d/browser/render/egl_context.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 void require(bool done, const char* what) {
@@ -58,4 +58,4 @@ GlFunction EglContext::getProcAddress(const char* name) const {
   return library_.function<PFNEGLGETPROCADDRESSPROC>("eglGetProcAddress")(name);
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

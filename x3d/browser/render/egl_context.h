@@ -5,7 +5,7 @@
 #include <pleura/x3d/browser/render/dynamic_library.h>
 #include <pleura/x3d/browser/render/gl_context.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// OpenGL through EGL with no surface (EGL_MESA_platform_surfaceless): the GPU where there is one, else
 /// Mesa's software.
@@ -25,4 +25,4 @@ class EglContext : public GlContext {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

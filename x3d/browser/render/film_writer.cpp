@@ -18,7 +18,7 @@
 
 extern char** environ;
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 class SpawnActions {
@@ -141,4 +141,4 @@ FilmWriter::Outcome FilmWriter::finish() {
   return outcome;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -6,7 +6,7 @@
 
 #include <pleura/x3d/browser/render/image.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// Writes a film (H.264, yuv420p, MP4) with the program ffmpeg, under a temporary name until it is complete.
 class FilmWriter {
@@ -42,4 +42,4 @@ class FilmWriter {
   pid_t process_ = -1;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -11,7 +11,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 const std::vector<std::string> fontFolders = {"/usr/share/fonts/truetype/dejavu", "/usr/share/fonts/dejavu",
@@ -197,4 +197,4 @@ TextBitmap Font::rasterize(std::string_view text, int size, float justification)
   return bitmap;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-namespace pleura {
+namespace pleura::render {
 
 enum class FontFamily { Serif, Sans, Typewriter };
 
@@ -53,4 +53,4 @@ class Font {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

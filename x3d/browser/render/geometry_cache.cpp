@@ -5,7 +5,7 @@
 
 #include <pleura/x3d/browser/render/geometry_cache.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 constexpr std::size_t indicesPerPrimitive(Primitive primitive) {
@@ -108,4 +108,4 @@ void GeometryCache::collect() {
   std::erase_if(entries_, [](const auto& entry) { return entry.second.identity.expired(); });
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

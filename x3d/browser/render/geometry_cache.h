@@ -6,7 +6,7 @@
 #include <pleura/x3d/browser/render/draw_list.h>
 #include <pleura/x3d/browser/render/gl_objects.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// A Geometry's streams on the GPU, each sent again only when its revision or size has changed.
 class GpuGeometry {
@@ -62,4 +62,4 @@ class GeometryCache {
   std::map<const char*, Entry> entries_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 #include <pleura/x3d/browser/render/gl_context.h>
 #include <pleura/x3d/browser/render/osmesa_context.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 template <class Context>
@@ -29,4 +29,4 @@ std::unique_ptr<GlContext> makeOffscreenContext(OffscreenBackend backend) {
   return context;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

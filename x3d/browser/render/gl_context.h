@@ -6,7 +6,7 @@
 
 #include <pleura/x3d/browser/render/gl_functions.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// An OpenGL 3.3 core context and where it draws. Belongs to the thread that made it.
 class GlContext {
@@ -36,4 +36,4 @@ enum class OffscreenBackend {
 /// failed.
 std::unique_ptr<GlContext> makeOffscreenContext(OffscreenBackend backend = OffscreenBackend::Automatic);
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 #include <pleura/x3d/browser/render/gl_context.h>
 #include <pleura/x3d/browser/render/gl_functions.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 template <class Function>
@@ -30,4 +30,4 @@ GlFunctions loadGlFunctions(const GlContext& context) {
   return gl;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -2,7 +2,7 @@
 
 #include <GL/glcorearb.h>
 
-namespace pleura {
+namespace pleura::render {
 
 class GlContext;
 using GlFunction = void (*)();
@@ -105,4 +105,4 @@ struct GlFunctions {
 /// missing, or the version found where it is below 3.3.
 GlFunctions loadGlFunctions(const GlContext& context);
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -4,7 +4,7 @@
 
 #include <pleura/x3d/browser/render/gl_functions.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// Owns one OpenGL object; the context is current when it is made and when it goes.
 template <auto generate, auto remove>
@@ -35,4 +35,4 @@ using GlRenderbuffer = GlObject<&GlFunctions::GenRenderbuffers, &GlFunctions::De
 using GlFramebuffer = GlObject<&GlFunctions::GenFramebuffers, &GlFunctions::DeleteFramebuffers>;
 using GlQuery = GlObject<&GlFunctions::GenQueries, &GlFunctions::DeleteQueries>;
 
-}  // namespace pleura
+}  // namespace pleura::render

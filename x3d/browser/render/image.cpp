@@ -8,7 +8,7 @@
 
 #include <pleura/x3d/browser/render/image.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 constexpr int maxSide = 16384;
@@ -87,4 +87,4 @@ Image contactSheet(std::span<const Image> images, int columns) {
   return sheet;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace pleura {
+namespace pleura::render {
 
 /// A picture of 8-bit RGB, rows from the top.
 struct Image {
@@ -32,4 +32,4 @@ Image readPng(const std::string& path);
 /// Throws std::invalid_argument when there is no image or no column.
 Image contactSheet(std::span<const Image> images, int columns);
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -4,7 +4,7 @@
 
 #include <pleura/x3d/browser/render/light_buffer.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 struct ShaderLight {  // std140
@@ -40,4 +40,4 @@ int LightBuffer::update(const DrawList& list) {
   return static_cast<int>(count);
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -3,7 +3,7 @@
 #include <pleura/x3d/browser/render/draw_list.h>
 #include <pleura/x3d/browser/render/gl_objects.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// The lights of a frame in a uniform buffer, as shaders::surfaceFragment reads them.
 class LightBuffer {
@@ -20,4 +20,4 @@ class LightBuffer {
   GlBuffer buffer_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 
 #include <pleura/x3d/browser/render/orbit_camera.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
@@ -89,4 +89,4 @@ void OrbitCamera::reset() {
   center_ = viewpointCenter_;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 
 #include <pleura/x3d/browser/render/draw_list.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// X3D's EXAMINE navigation: a camera that turns about a centre with +Y up. Pure, knows no window; pixels are
 /// the mouse's, +y down, and what is under the mouse follows it.
@@ -42,4 +42,4 @@ class OrbitCamera {
   Eigen::Vector3f viewpointCenter_, center_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

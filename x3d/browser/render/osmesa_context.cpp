@@ -2,7 +2,7 @@
 
 #include <pleura/x3d/browser/render/osmesa_context.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 // From GL/osmesa.h, which newer releases of Mesa no longer have.
@@ -45,4 +45,4 @@ GlFunction OsmesaContext::getProcAddress(const char* name) const {
   return library_.function<GetProcAddress>("OSMesaGetProcAddress")(name);
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

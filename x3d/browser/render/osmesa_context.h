@@ -6,7 +6,7 @@
 #include <pleura/x3d/browser/render/dynamic_library.h>
 #include <pleura/x3d/browser/render/gl_context.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// Mesa's off-screen software OpenGL. It needs neither display nor GPU; Mesa has it up to release 24.
 class OsmesaContext : public GlContext {
@@ -26,4 +26,4 @@ class OsmesaContext : public GlContext {
       framebuffer_{};  // 4 x 4: OSMesa asks for one, though everything is drawn elsewhere
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

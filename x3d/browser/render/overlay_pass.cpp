@@ -3,7 +3,7 @@
 #include <pleura/x3d/browser/render/overlay_pass.h>
 #include <pleura/x3d/browser/render/shaders.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 float fraction(Justify justify) { return static_cast<float>(justify) / 2; }
@@ -60,4 +60,4 @@ OverlayPass::Label OverlayPass::rasterize(const Key& key) {
   return label;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -9,7 +9,7 @@
 #include <pleura/x3d/browser/render/gl_objects.h>
 #include <pleura/x3d/browser/render/shader_program.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// Draws labels and status over the resolved picture. Text that stays from frame to frame is rasterised once.
 class OverlayPass {
@@ -34,4 +34,4 @@ class OverlayPass {
   std::map<Key, Label> labels_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -6,7 +6,7 @@
 
 #include <pleura/x3d/browser/render/projection.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 void require(bool holds, const char* message) {
@@ -64,4 +64,4 @@ std::optional<Eigen::Vector2f> projectToPicture(const Camera& camera, int width,
                          (1 - ndc.y()) / 2 * static_cast<float>(height));
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -6,7 +6,7 @@
 
 #include <pleura/x3d/browser/render/draw_list.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// View space to OpenGL clip space for a picture of width x height [pixel]. X3D's fieldOfView spans the
 /// smaller side, an orthographic extent is fitted in whole. Throws std::invalid_argument that names the bad
@@ -18,4 +18,4 @@ Eigen::Matrix4f projectionMatrix(const Camera& camera, int width, int height);
 std::optional<Eigen::Vector2f> projectToPicture(const Camera& camera, int width, int height,
                                                 const Eigen::Vector3f& point);
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 
 #include <pleura/x3d/browser/render/render_target.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 GLsizei supportedSamples(const GlFunctions& gl, int wanted) {
@@ -80,4 +80,4 @@ void RenderTarget::present() const {
   gl_.BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 #include <pleura/x3d/browser/render/gl_objects.h>
 #include <pleura/x3d/browser/render/image.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// The framebuffers of one picture size: multisampled colour with three depth textures (opaque surfaces, and
 /// two that depth peeling uses in turns), and the resolved picture of one sample.
@@ -45,4 +45,4 @@ class RenderTarget {
   GlFramebuffer resolved_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

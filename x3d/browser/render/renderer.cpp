@@ -17,7 +17,7 @@
 #include <pleura/x3d/browser/render/surface_pass.h>
 #include <pleura/x3d/browser/render/validate.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 constexpr const char* version = "#version 330 core\n";
@@ -152,4 +152,4 @@ void Renderer::present() {
 
 const RenderStats& Renderer::stats() const { return implementation_->stats; }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -6,7 +6,7 @@
 #include <pleura/x3d/browser/render/gl_context.h>
 #include <pleura/x3d/browser/render/image.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// What the last draw() did.
 struct RenderStats {
@@ -43,4 +43,4 @@ class Renderer {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

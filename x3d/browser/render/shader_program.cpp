@@ -2,7 +2,7 @@
 
 #include <pleura/x3d/browser/render/shader_program.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 constexpr GLsizei logSize = 2048;
@@ -51,4 +51,4 @@ void ShaderProgram::bindBlock(const char* name, GLuint binding) const {
   gl_.UniformBlockBinding(id_, gl_.GetUniformBlockIndex(id_, name), binding);
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

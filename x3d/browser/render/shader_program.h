@@ -4,7 +4,7 @@
 
 #include <pleura/x3d/browser/render/gl_functions.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// A linked vertex and fragment shader.
 class ShaderProgram {
@@ -30,4 +30,4 @@ class ShaderProgram {
   GLuint id_ = 0;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

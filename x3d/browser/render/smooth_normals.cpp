@@ -4,7 +4,7 @@
 
 #include <pleura/x3d/browser/render/smooth_normals.h>
 
-namespace pleura {
+namespace pleura::render {
 
 void smoothNormals(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> triangles,
                    std::span<Eigen::Vector3f> out) {
@@ -20,4 +20,4 @@ void smoothNormals(std::span<const Eigen::Vector3f> positions, std::span<const s
   for (Eigen::Vector3f& n : out) n = n.stableNormalized();
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

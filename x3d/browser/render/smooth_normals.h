@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace pleura {
+namespace pleura::render {
 
 /// Unit normals out[i] of a smooth surface at positions[i]: the area-weighted mean of the triangles around a
 /// vertex, zero where they cancel or there is none. `triangles` holds three indices a triangle, all below
@@ -13,4 +13,4 @@ namespace pleura {
 void smoothNormals(std::span<const Eigen::Vector3f> positions, std::span<const std::uint32_t> triangles,
                    std::span<Eigen::Vector3f> out);
 
-}  // namespace pleura
+}  // namespace pleura::render

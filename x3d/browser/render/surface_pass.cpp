@@ -5,7 +5,7 @@
 #include <pleura/x3d/browser/render/shaders.h>
 #include <pleura/x3d/browser/render/surface_pass.h>
 
-namespace pleura {
+namespace pleura::render {
 
 SurfacePass::SurfacePass(const GlFunctions& gl, const std::string& header, const char* fragmentSource)
     : gl_(gl), program_(gl, header, shaders::surfaceVertex, fragmentSource) {
@@ -61,4 +61,4 @@ void SurfacePass::setMaterial(const DrawItem& item, const GpuGeometry& gpu) cons
   gl_.Uniform1ui(at_.lightMask, item.lights | alwaysOn_);
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

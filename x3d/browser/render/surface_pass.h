@@ -4,7 +4,7 @@
 #include <pleura/x3d/browser/render/geometry_cache.h>
 #include <pleura/x3d/browser/render/shader_program.h>
 
-namespace pleura {
+namespace pleura::render {
 
 /// An item with the GPU's copy of its geometry.
 struct SurfaceDraw {
@@ -45,4 +45,4 @@ class SurfacePass {
   } at_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -4,7 +4,7 @@
 
 #include <pleura/x3d/browser/render/tessellate.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 /// GLU hands vertices back as the pointers it was given: here, an index + 1.
@@ -57,4 +57,4 @@ PlaneMesh tessellate(const std::vector<std::vector<Eigen::Vector2f>>& contours) 
   return result;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace pleura {
+namespace pleura::render {
 
 /// Triangles of a plane area; counterclockwise.
 struct PlaneMesh {
@@ -17,4 +17,4 @@ struct PlaneMesh {
 /// GLU's tessellator.
 PlaneMesh tessellate(const std::vector<std::vector<Eigen::Vector2f>>& contours);
 
-}  // namespace pleura
+}  // namespace pleura::render

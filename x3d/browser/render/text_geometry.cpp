@@ -6,7 +6,7 @@
 #include <pleura/x3d/browser/render/tessellate.h>
 #include <pleura/x3d/browser/render/text_geometry.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 void require(bool holds, const char* message) {
@@ -156,4 +156,4 @@ TextGeometry textGeometry(const std::vector<std::string>& lines, const FontStyle
   return text;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -8,7 +8,7 @@
 
 #include <pleura/x3d/browser/render/font.h>
 
-namespace pleura {
+namespace pleura::render {
 
 enum class TextJustify { First, Begin, Middle, End };
 
@@ -40,4 +40,4 @@ struct TextGeometry {
 TextGeometry textGeometry(const std::vector<std::string>& lines, const FontStyle& style,
                           const std::vector<float>& length = {}, float maxExtent = 0);
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -7,7 +7,7 @@
 #include <pleura/x3d/browser/render/background_pass.h>
 #include <pleura/x3d/browser/render/validate.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 void require(bool holds, const std::string& what) {
@@ -83,4 +83,4 @@ void validate(const DrawList& list) {
   }
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

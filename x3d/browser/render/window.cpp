@@ -7,7 +7,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 Modifiers modifiersOf(int bits) {
@@ -130,4 +130,4 @@ void Window::setTitle(const std::string& title) {
   glfwSetWindowTitle(implementation_->context.window(), title.c_str());
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -8,7 +8,7 @@
 
 #include <pleura/x3d/browser/render/gl_context.h>
 
-namespace pleura {
+namespace pleura::render {
 
 enum class Action { Release, Press, Repeat };
 
@@ -77,4 +77,4 @@ class Window {
   std::unique_ptr<Implementation> implementation_;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -5,7 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-namespace pleura {
+namespace pleura::render {
 namespace {
 
 [[noreturn]] void fail() {
@@ -43,4 +43,4 @@ Eigen::Vector2i WindowContext::size() const {
   return size;
 }
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -6,7 +6,7 @@
 
 struct GLFWwindow;
 
-namespace pleura {
+namespace pleura::render {
 
 /// The machine's own OpenGL in a GLFW window. One at a time, in the main thread.
 class WindowContext : public GlContext {
@@ -26,4 +26,4 @@ class WindowContext : public GlContext {
   GLFWwindow* window_ = nullptr;
 };
 
-}  // namespace pleura
+}  // namespace pleura::render

@@ -6,7 +6,7 @@
 #include <pleura/fields/errors.h>
 #include <pleura/fields/periodic_update.h>
 #include <pleura/nodes/standard/register.h>
-#include <pleura/x3d/browser/scene.h>
+#include <pleura/x3d/browser/scene/scene.h>
 
 namespace pleura {
 

@@ -13,8 +13,8 @@ struct TimedKey {
   std::string key;
 };
 
-/// Reads "2.0:p 4.0:p": times and keys, parted by blanks, put in order of time. Throws std::invalid_argument with what
-/// is wrong.
+/// Reads "2.0:p 4.0:p": times and keys, parted by blanks, put in order of time. Throws std::invalid_argument
+/// with what is wrong.
 std::vector<TimedKey> parseKeys(std::string_view text);
 
 }  // namespace pleura

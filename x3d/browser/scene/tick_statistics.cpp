@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <pleura/nodes/deformable/solve_counter.h>
-#include <pleura/x3d/browser/tick_statistics.h>
+#include <pleura/x3d/browser/scene/tick_statistics.h>
 
 namespace pleura {
 
@@ -25,7 +25,8 @@ void TickStatistics::end() {
 double TickStatistics::quantile(double q) const {
   if (milliseconds_.empty()) return 0;
   auto sorted = milliseconds_;
-  const auto nth = sorted.begin() + static_cast<std::ptrdiff_t>(std::lround(q * static_cast<double>(sorted.size() - 1)));
+  const auto nth =
+      sorted.begin() + static_cast<std::ptrdiff_t>(std::lround(q * static_cast<double>(sorted.size() - 1)));
   std::nth_element(sorted.begin(), nth, sorted.end());
   return *nth;
 }

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <pleura/x3d/browser/playback.h>
+#include <pleura/x3d/browser/scene/playback.h>
 
 namespace pleura {
 

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <pleura/x3d/browser/key_script.h>
+#include <pleura/x3d/browser/scene/key_script.h>
 
 namespace pleura {
 
@@ -14,7 +14,8 @@ std::vector<TimedKey> parseKeys(std::string_view text) {
   for (std::string part; parts >> part;) {
     const auto colon = part.find(':');
     TimedKey key;
-    const auto [end, error] = std::from_chars(part.data(), part.data() + std::min(colon, part.size()), key.time);
+    const auto [end, error] =
+        std::from_chars(part.data(), part.data() + std::min(colon, part.size()), key.time);
     const bool isTime = error == std::errc() && std::isfinite(key.time) && key.time >= 0;
     if (colon == std::string::npos || !isTime || end != part.data() + colon || colon + 1 == part.size())
       throw std::invalid_argument("keys: expected SECONDS:KEY, found " + part);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <pleura/fields/errors.h>
-#include <pleura/x3d/browser/watch_table.h>
+#include <pleura/x3d/browser/scene/watch_table.h>
 
 namespace pleura {
 
@@ -28,7 +28,8 @@ std::vector<std::string> components(Field& field) {
 WatchTable::WatchTable(Scene& scene, const std::vector<std::string>& paths) {
   for (const auto& path : paths) {
     Field& field = scene.field(path);
-    if (singleOf(field.getType()) == FieldType::SFNode) throw FieldError(path + " is a node: it has no numbers");
+    if (singleOf(field.getType()) == FieldType::SFNode)
+      throw FieldError(path + " is a node: it has no numbers");
     if (!canGet(field.getAccessType())) throw FieldAccessError(path + " is inputOnly: it can't be read");
     fields_.emplace_back(path, &field);
   }
