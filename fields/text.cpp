@@ -28,7 +28,8 @@ void TextReader::readNumber(Number& value, const char* expected) {
   if (error != std::errc() || !endsToken(to, end_)) fail(expected);
   if constexpr (std::is_floating_point_v<Number>) {
     constexpr double kLargest = std::numeric_limits<Number>::max();
-    if (!(std::abs(number) <= kLargest / std::max(1.0, std::abs(scale_)))) fail(expected);
+    if (!std::isfinite(number) || std::abs(number) > kLargest / std::max(1.0, std::abs(scale_)))
+      fail(expected);
     number = static_cast<Number>(number * scale_);
   }
   at_ = to;
