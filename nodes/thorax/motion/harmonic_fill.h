@@ -2,8 +2,8 @@
 
 #include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <Eigen/Core>
+#include <span>
 #include <vector>
 
 namespace pleura {
@@ -12,21 +12,29 @@ namespace pleura {
 /// ones over the graph of its edges, weighted by inverse length. Factorised once, two triangular solves a call.
 class HarmonicFill {
  public:
-  /// `driven` has one flag a point. Points that no path of edges joins to a driven one stay at rest. Throws
-  /// std::invalid_argument when sizes or indices do not fit the mesh.
-  HarmonicFill(const TriangleMesh& mesh, const std::vector<bool>& driven);
+  HarmonicFill() = default;
 
-  /// Overwrites the free rows of `displacement` (one row a point) from its driven rows. Does not allocate.
-  void fill(Eigen::MatrixX3d& displacement);
+  /// `driven` lists points. Those that no path of edges joins to a driven one stay at rest. Throws
+  /// std::invalid_argument when an index does not fit the mesh.
+  HarmonicFill(const TriangleMesh& mesh, std::span<const int> driven);
 
-  int freeCount() const { return static_cast<int>(free_.size()); }
+  /// Overwrites the entries of the free points [one a point, m] from those of the driven. Does not allocate.
+  void fill(std::span<Eigen::Vector4f> displacement);
+
+  std::size_t freeCount() const { return free_.size(); }
 
  private:
-  std::vector<int> free_;    // points, in the order of the factor
-  std::vector<int> driven_;  // points, in the order of coupling_'s columns
-  Eigen::SparseMatrix<double, Eigen::RowMajor> coupling_;  // rows as free_
-  Eigen::SparseMatrix<double> factor_;                     // lower Cholesky factor
-  Eigen::MatrixX3d boundary_, solution_;
+  /// Sparse columns: entries start[j] .. start[j + 1] of row and value.
+  struct Columns {
+    std::vector<int> start, row;
+    std::vector<float> value;
+  };
+
+  std::vector<int> free_;              // points, in the order of the factor
+  Columns coupling_;                   // a column a free point; rows are driven points
+  Columns factor_;                     // L below its diagonal
+  std::vector<float> inverseDiagonal_;
+  std::vector<Eigen::Vector4f> x_;     // workspace, in the order of the factor
 };
 
 }  // namespace pleura

@@ -8,7 +8,7 @@
 namespace pleura {
 namespace {
 
-constexpr double kRollingRadius = 0.05;  // [m] bridges an intercostal space with a sagitta under 0.5 mm
+constexpr double kRollingCurvature = 4.0;  // [1/rad^2] bridges an intercostal space with a sagitta under 1 mm
 constexpr double kBelowMargin = 0.05;    // [m] the profile goes on straight below the last bone
 constexpr std::size_t kFewestPoints = 24;
 
@@ -52,20 +52,29 @@ void addSection(const HemithoraxAxis& axis, double azimuth, double cupola, const
   }
 }
 
-// f(h) = r + h^2 / (2 rho)
-double lifted(const ProfilePoint& p) { return p.r + p.h * p.h / (2.0 * kRollingRadius); }
+/// (phi, u): elevation seen from the axis' origin [rad] and logarithm of the distance. This map keeps angles, so
+/// that a curve of one shape fits the steep lower wall as well as the shoulder under the cupola.
+struct LogPolar {
+  double phi, u;
+};
 
-/// Lower convex hull of (h, f), from the top down (Andrew's monotone chain).
+LogPolar logPolar(const ProfilePoint& p) { return {std::atan2(p.h, p.r), std::log(std::hypot(p.h, p.r))}; }
+
+// f(phi) = u + k phi^2 / 2
+double lifted(const LogPolar& p) { return p.u + 0.5 * kRollingCurvature * p.phi * p.phi; }
+
+/// Lower convex hull of (phi, f), from the top down (Andrew's monotone chain).
 Profile innerEnvelope(Profile points) {
   std::sort(points.begin(), points.end(), [](const ProfilePoint& a, const ProfilePoint& b) {
-    return a.h != b.h ? a.h > b.h : a.r < b.r;
+    return logPolar(a).phi > logPolar(b).phi;
   });
   Profile hull;
   for (const ProfilePoint& p : points) {
+    const LogPolar c = logPolar(p);
     while (hull.size() >= 2) {
-      const ProfilePoint& b = hull[hull.size() - 1];
-      const ProfilePoint& a = hull[hull.size() - 2];
-      const double turn = (a.h - b.h) * (lifted(p) - lifted(b)) - (b.h - p.h) * (lifted(b) - lifted(a));
+      const LogPolar b = logPolar(hull[hull.size() - 1]);
+      const LogPolar a = logPolar(hull[hull.size() - 2]);
+      const double turn = (a.phi - b.phi) * (lifted(c) - lifted(b)) - (b.phi - c.phi) * (lifted(b) - lifted(a));
       if (turn > 0.0) break;
       hull.pop_back();
     }
@@ -104,30 +113,31 @@ void setColumn(PleuralWall& wall, int column, const Profile& rows, double azimut
   const Eigen::Vector3d radial = wall.axis.radial(azimuth);
   for (int row = 0; row < PleuralWall::kRows; ++row) {
     const ProfilePoint& p = rows[static_cast<std::size_t>(row)];
-    wall.rest[PleuralWall::index(column, row)] = wall.axis.origin + p.r * radial + p.h * wall.axis.up;
+    const Eigen::Vector3d point = wall.axis.origin + p.r * radial + p.h * wall.axis.up;
+    wall.rest[PleuralWall::index(column, row)] = point.cast<float>().homogeneous();
     wall.weights[PleuralWall::index(column, row)] = p.weights;
   }
 }
 
-/// Normals from central differences over the grid, one-sided at its borders.
+/// Inward unit normal from central differences over the grid, one-sided at its borders.
+Eigen::Vector3f normalAt(const PleuralWall& wall, int column, int row) {
+  const auto at = [&](int c, int r) -> Eigen::Vector3f {
+    const int inside = std::clamp(r, 0, PleuralWall::kRows - 1);
+    return wall.rest[PleuralWall::index(wall.open(c) ? column : c, inside)].head<3>();
+  };
+  const Eigen::Vector3f around = at(PleuralWall::next(column), row) - at(PleuralWall::previous(column), row);
+  const Eigen::Vector3f normal = (at(column, row + 1) - at(column, row - 1)).cross(around);
+  const Eigen::Vector3f up = wall.axis.up.cast<float>();
+  if (!(normal.norm() > 0.0f)) return -up;  // the pole
+  const Eigen::Vector3f out = at(column, row) - wall.axis.origin.cast<float>();
+  return normal.dot(out) > 0.0f ? -normal.normalized() : normal.normalized();
+}
+
 void setNormals(PleuralWall& wall) {
-  constexpr int n = PleuralWall::kColumns;
-  for (int column = 0; column < n; ++column) {
-    if (wall.spacing[static_cast<std::size_t>(column)] == 0.0) continue;
-    const auto neighbour = [&](int step) {
-      const int other = (column + step + n) % n;
-      return wall.spacing[static_cast<std::size_t>(other)] > 0.0 ? other : column;
-    };
+  for (int column = 0; column < PleuralWall::kColumns; ++column) {
+    if (wall.open(column)) continue;
     for (int row = 0; row < PleuralWall::kRows; ++row) {
-      const auto at = [&](int c, int r) {
-        return wall.rest[PleuralWall::index(c, std::clamp(r, 0, PleuralWall::kRows - 1))];
-      };
-      const Eigen::Vector3d down = at(column, row + 1) - at(column, row - 1);
-      const Eigen::Vector3d around = at(neighbour(1), row) - at(neighbour(-1), row);
-      Eigen::Vector3d normal = down.cross(around);
-      const Eigen::Vector3d out = at(column, row) - wall.axis.origin;
-      if (normal.dot(out) > 0.0) normal = -normal;
-      wall.inward[PleuralWall::index(column, row)] = normal.norm() > 0.0 ? normal.normalized() : -wall.axis.up;
+      wall.inward[PleuralWall::index(column, row)].head<3>() = normalAt(wall, column, row);
     }
   }
 }
@@ -167,8 +177,8 @@ PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBod
   PleuralWall wall;
   wall.axis = axis;
   wall.spacing.assign(PleuralWall::kColumns, 0.0);
-  wall.rest.assign(PleuralWall::kColumns * PleuralWall::kRows, axis.origin);
-  wall.inward.assign(wall.rest.size(), Eigen::Vector3d::Zero());
+  wall.rest.assign(PleuralWall::kColumns * PleuralWall::kRows, axis.origin.cast<float>().homogeneous());
+  wall.inward.assign(wall.rest.size(), Eigen::Vector4f::Zero());
   wall.weights.resize(wall.rest.size());
   for (int column = 0; column < PleuralWall::kColumns; ++column) {
     const double azimuth = -std::numbers::pi + 2.0 * std::numbers::pi * column / PleuralWall::kColumns;
@@ -187,9 +197,9 @@ PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBod
   return wall;
 }
 
-void moveWall(const PleuralWall& wall, std::span<const Eigen::Isometry3d> motions,
-              std::span<Eigen::Vector3d> now) {
-  for (std::size_t i = 0; i < wall.rest.size(); ++i) now[i] = carry(wall.rest[i], wall.weights[i], motions);
+void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements,
+              std::span<Eigen::Vector4f> now) {
+  for (std::size_t i = 0; i < wall.rest.size(); ++i) now[i] = carry(wall.rest[i], wall.weights[i], displacements);
 }
 
 }  // namespace pleura

@@ -37,23 +37,28 @@ HemithoraxAxis hemithoraxAxis(const Eigen::Vector3d& low, const Eigen::Vector3d&
 /// with kRows points equally spaced from the cupola down to below the costal margin.
 struct PleuralWall {
   static constexpr int kColumns = 72;  // 5 degrees each
-  static constexpr int kRows = 80;
+  static constexpr int kRows = 64;
 
   HemithoraxAxis axis;
-  std::vector<double> spacing;            // [kColumns], m between rows; 0 where no bone meets the half-plane
-  std::vector<Eigen::Vector3d> rest;      // [kColumns * kRows], m
-  std::vector<Eigen::Vector3d> inward;    // unit normals at rest, into the cavity
-  std::vector<BodyWeights> weights;       // what carries each point
+  std::vector<double> spacing;          // [kColumns], m between rows; 0 where no bone meets the half-plane
+  std::vector<Eigen::Vector4f> rest;    // [kColumns * kRows], (x, y, z, 1), m
+  std::vector<Eigen::Vector4f> inward;  // (unit normal at rest, 0), into the cavity
+  std::vector<BodyWeights> weights;     // what carries each point
 
+  bool open(int column) const { return spacing[static_cast<std::size_t>(column)] == 0.0; }
+  static int next(int column) { return (column + 1) % kColumns; }
+  static int previous(int column) { return (column + kColumns - 1) % kColumns; }
   static std::size_t index(int column, int row) { return static_cast<std::size_t>(column * kRows + row); }
 };
 
-/// Builds the wall from the bones at rest. In each half-plane (r, h) the profile is what a parabola of radius
-/// rho rolled along the inside touches: the lower convex hull of (h, r + h^2 / (2 rho)). `cupola` [m] is the
-/// height above the axis' origin where the profiles close, fixed to the spine.
+/// Builds the wall from the bones at rest. In each half-plane the profile is what a parabola of curvature k
+/// rolled along the inside in log-polar coordinates touches: the lower convex hull of (phi, u + k phi^2 / 2).
+/// `cupola` [m] is the height above the axis' origin where the profiles close, fixed to the spine. Throws
+/// std::invalid_argument when a body's weights are not one a point.
 PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBody> bodies, double cupola);
 
-/// Where the wall is now: `now` has the shape of wall.rest; motions are those that the weights refer to.
-void moveWall(const PleuralWall& wall, std::span<const Eigen::Isometry3d> motions, std::span<Eigen::Vector3d> now);
+/// Where the wall is now: `now` has the shape of wall.rest; the weights refer to `displacements`.
+void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements,
+              std::span<Eigen::Vector4f> now);
 
 }  // namespace pleura

@@ -8,26 +8,57 @@
 namespace pleura {
 namespace {
 
-constexpr int kSamples = 320;   // of v in [0, kLowest] when a point is bound
-constexpr double kLowest = 2.4;
+using Grid = std::span<const Eigen::Vector4f>;
 
-int nextColumn(int column) { return (column + 1) % PleuralWall::kColumns; }
+/// A row of a column as the grid's point above it and the way to the one below.
+struct RowPlace {
+  std::size_t above;
+  float t;
 
-/// Linear interpolation of a field of the grid between two rows of a column.
-Eigen::Vector3d alongColumn(std::span<const Eigen::Vector3d> field, int column, double row) {
-  const double inside = std::clamp(row, 0.0, PleuralWall::kRows - 1.001);
-  const int i = static_cast<int>(inside);
-  const std::size_t k = PleuralWall::index(column, i);
-  const double t = inside - i;
-  return (1.0 - t) * field[k] + t * field[k + 1];
-}
+  RowPlace(int column, double row) {
+    const double inside = std::clamp(row, 0.0, PleuralWall::kRows - 1.0);
+    const int whole = std::min(static_cast<int>(inside), PleuralWall::kRows - 2);
+    above = PleuralWall::index(column, whole);
+    t = static_cast<float>(inside - whole);
+  }
+  Eigen::Vector4f of(Grid grid) const { return (1.0f - t) * grid[above] + t * grid[above + 1]; }
+};
 
-Eigen::Vector3d onGrid(std::span<const Eigen::Vector3d> field, const WallSlide& slide, const WallPoint& point,
-                       double inflation) {
-  const int other = nextColumn(point.column);
-  return (1.0 - point.fraction) *
-             alongColumn(field, point.column, slide.row(point.column, point.v, inflation)) +
-         point.fraction * alongColumn(field, other, slide.row(other, point.v, inflation));
+/// Wall and inward normal between two columns at one v.
+struct WallPlace {
+  RowPlace a, b;
+  float fraction;
+
+  WallPlace(const WallSlide& slide, int column, float columnFraction, double v, double inflation)
+      : a(column, slide.row(column, v, inflation)),
+        b(PleuralWall::next(column), slide.row(PleuralWall::next(column), v, inflation)),
+        fraction(columnFraction) {}
+  Eigen::Vector4f of(Grid grid) const { return (1.0f - fraction) * a.of(grid) + fraction * b.of(grid); }
+};
+
+/// v of the place nearest to `point` along the profile at a fraction between two columns.
+double nearestV(const PleuralWall& wall, const WallSlide& slide, const WallPoint& at,
+                const Eigen::Vector3d& point) {
+  constexpr int kSamples = 320;
+  constexpr double kLowest = 2.4;
+  const auto sample = [&](double v) -> Eigen::Vector3d {
+    return WallPlace(slide, at.column, at.fraction, v, 0.0).of(wall.rest).head<3>().cast<double>();
+  };
+  double nearest = std::numeric_limits<double>::max();
+  double found = 0.0;
+  Eigen::Vector3d a = sample(0.0);
+  for (int k = 1; k <= kSamples; ++k) {
+    const Eigen::Vector3d b = sample(kLowest * k / kSamples);
+    const double squared = (b - a).squaredNorm();
+    const double t = squared > 0.0 ? std::clamp((point - a).dot(b - a) / squared, 0.0, 1.0) : 0.0;
+    const double distance = (point - a - t * (b - a)).squaredNorm();
+    if (distance < nearest) {
+      nearest = distance;
+      found = kLowest * (k - 1 + t) / kSamples;
+    }
+    a = b;
+  }
+  return found;
 }
 
 }  // namespace
@@ -35,39 +66,25 @@ Eigen::Vector3d onGrid(std::span<const Eigen::Vector3d> field, const WallSlide& 
 WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eigen::Vector3d& point) {
   const HemithoraxAxis::Coordinates c = wall.axis.coordinates(point);
   const double turn = (c.azimuth + std::numbers::pi) / (2.0 * std::numbers::pi) * PleuralWall::kColumns;
-  WallPoint found;
-  found.column = static_cast<int>(turn) % PleuralWall::kColumns;
-  found.fraction = turn - std::floor(turn);
-  found.bound = wall.spacing[static_cast<std::size_t>(found.column)] > 0.0 &&
-                wall.spacing[static_cast<std::size_t>(nextColumn(found.column))] > 0.0;
-  if (!found.bound) return found;
+  WallPoint at;
+  at.column = static_cast<int>(turn) % PleuralWall::kColumns;
+  at.fraction = static_cast<float>(turn - std::floor(turn));
+  at.bound = !wall.open(at.column) && !wall.open(PleuralWall::next(at.column));
+  if (!at.bound) return at;
 
-  double nearest = std::numeric_limits<double>::max();
-  WallPoint sample = found;
-  Eigen::Vector3d a = onGrid(wall.rest, slide, sample, 0.0);
-  for (int k = 1; k <= kSamples; ++k) {
-    sample.v = kLowest * k / kSamples;
-    const Eigen::Vector3d b = onGrid(wall.rest, slide, sample, 0.0);
-    const double squared = (b - a).squaredNorm();
-    const double t = squared > 0.0 ? std::clamp((point - a).dot(b - a) / squared, 0.0, 1.0) : 0.0;
-    const double distance = (point - a - t * (b - a)).squaredNorm();
-    if (distance < nearest) {
-      nearest = distance;
-      found.v = kLowest * (k - 1 + t) / kSamples;
-    }
-    a = b;
-  }
-  const Eigen::Vector3d foot = onGrid(wall.rest, slide, found, 0.0);
-  const Eigen::Vector3d inward = onGrid(wall.inward, slide, found, 0.0);
-  found.gap = (point - foot).dot(inward);
-  found.remainder = point - foot - found.gap * inward;
-  return found;
+  at.v = static_cast<float>(nearestV(wall, slide, at, point));
+  const WallPlace place(slide, at.column, at.fraction, at.v, 0.0);
+  const Eigen::Vector3d offset = point - place.of(wall.rest).head<3>().cast<double>();
+  at.distance = static_cast<float>(offset.norm());
+  at.gap = static_cast<float>(offset.dot(place.of(wall.inward).head<3>().cast<double>()));
+  at.rest = followWall(wall, wall.rest, slide, at, 0.0);
+  return at;
 }
 
-Eigen::Vector3d followWall(const PleuralWall& wall, std::span<const Eigen::Vector3d> now, const WallSlide& slide,
-                           const WallPoint& point, double inflation) {
-  return onGrid(now, slide, point, inflation) + point.gap * onGrid(wall.inward, slide, point, inflation) +
-         point.remainder;
+Eigen::Vector4f followWall(const PleuralWall& wall, Grid now, const WallSlide& slide, const WallPoint& point,
+                           double inflation) {
+  const WallPlace place(slide, point.column, point.fraction, point.v, inflation);
+  return place.of(now) + point.gap * place.of(wall.inward);
 }
 
 }  // namespace pleura
