@@ -1,0 +1,13 @@
+#pragma once
+
+#include <pleura/nodes/thorax/anatomy/anatomy.h>
+
+#include <vector>
+
+namespace pleura {
+
+/// T1-T12 and the discs below them (measurements/vertebrae.csv): bodies of the measured size, arches and
+/// processes drawn to the measured tips.
+std::vector<Vertebra> generateVertebrae();
+
+}  // namespace pleura
