@@ -44,8 +44,10 @@ struct Cartilage {
   TriangleMesh mesh;  // closed
 
   std::vector<Eigen::Vector3f> centreline;  // kCartilageSamples from the rib to the end, equal arc lengths
-  Eigen::Vector3f start;                    // centreline.front(), inside the rib's end
-  Eigen::Vector3f end;                      // centreline.back(), on the sternum or on the cartilage above
+  std::vector<Eigen::Vector3f>
+      innerLine;          // the surface's points that face the lungs, one a centreline sample
+  Eigen::Vector3f start;  // centreline.front(), inside the rib's end
+  Eigen::Vector3f end;    // centreline.back(), on the sternum or on the cartilage above
 };
 
 /// Manubrium, body and xiphoid as one closed bone.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <pleura/nodes/thorax/anatomy/cartilages.h>
+#include <pleura/nodes/thorax/anatomy/inner_line.h>
 #include <pleura/nodes/thorax/anatomy/measurements.h>
 #include <pleura/nodes/thorax/anatomy/tube.h>
 
@@ -75,6 +76,7 @@ Cartilage makeCartilage(const Table& table, std::size_t row, const std::vector<R
   cartilage.mesh = tubeMesh(tube, kRings, kSectors);
   for (const Vector3d& point : tube.centreline(kCartilageSamples))
     cartilage.centreline.push_back(point.cast<float>());
+  cartilage.innerLine = innerLine(tube, cartilage.side, kCartilageSamples);
   cartilage.start = cartilage.centreline.front();
   cartilage.end = cartilage.centreline.back();
   return cartilage;

@@ -1,3 +1,4 @@
+#include <pleura/nodes/deformable/mesh/topology.h>
 #include <pleura/nodes/thorax/anatomy/implicit_surface.h>
 
 #include <algorithm>
@@ -11,8 +12,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr int kSmoothingPasses = 12;
-constexpr int kProjectionSteps = 2;
+constexpr int kRounds = 5;      // of smoothing along the skin, then back onto it
+constexpr int kPasses = 3;      // of smoothing in a round
+constexpr double kStep = 1e-5;  // [m] of the differences
 
 // Samples of the solid at the nodes of a regular grid.
 class Grid {
@@ -118,39 +120,29 @@ Net surfaceNet(const Grid& grid) {
   return net;
 }
 
-Vector3d gradient(const Solid& solid, const Vector3d& point) {
-  constexpr double kStep = 1e-5;  // [m]
-  Vector3d g;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vector3d step = kStep * Vector3d::Unit(axis);
-    g[axis] = (solid(point + step) - solid(point - step)) / (2.0 * kStep);
-  }
-  return g;
+Vector3d gradient(const Solid& solid, const Vector3d& point, double value) {
+  return {(solid(point + kStep * Vector3d::UnitX()) - value) / kStep,
+          (solid(point + kStep * Vector3d::UnitY()) - value) / kStep,
+          (solid(point + kStep * Vector3d::UnitZ()) - value) / kStep};
 }
 
-// Newton's step on the line along the gradient, p <- p - f g / (g.g), no longer than the grid is wide.
-void putOnSkin(const Solid& solid, Vector3d& point, double longest) {
-  for (int k = 0; k < kProjectionSteps; ++k) {
-    const Vector3d g = gradient(solid, point);
-    const Vector3d step = -solid(point) * g / std::max(g.squaredNorm(), 1e-2);
-    point += step * std::min(1.0, longest / std::max(step.norm(), 1e-12));
-  }
+// Newton's step along the gradient, p <- p - f g / (g.g), no longer than a triangle; gives the normal.
+Vector3d putOnSkin(const Solid& solid, Vector3d& point, double longest) {
+  const double f = solid(point);
+  const Vector3d g = gradient(solid, point, f);
+  const Vector3d step = -f * g / std::max(g.squaredNorm(), 1e-2);
+  point += step * std::min(1.0, longest / std::max(step.norm(), 1e-12));
+  return g.normalized();
 }
 
-// Half a step to the mean of the neighbours: evens out the triangles; putOnSkin takes back what it does to
-// the shape.
-void smooth(Net& net) {
-  std::vector<Vector3d> sum(net.points.size(), Vector3d::Zero());
-  std::vector<double> count(net.points.size(), 0.0);
-  for (const Vector3i& t : net.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t at = static_cast<std::size_t>(t[k]);
-      sum[at] += net.points[static_cast<std::size_t>(t[(k + 1) % 3])];
-      count[at] += 1.0;
-    }
-  }
-  for (std::size_t i = 0; i < net.points.size(); ++i) {
-    if (count[i] > 0.0) net.points[i] = 0.5 * (net.points[i] + sum[i] / count[i]);
+// Half a step to the mean of the neighbours, as far as it leads along the skin: evens out the triangles.
+void smooth(std::vector<Vector3d>& points, const std::vector<Vector3d>& normals, const Adjacency& around) {
+  const std::vector<Vector3d> before = points;
+  for (int i = 0; i < around.rows(); ++i) {
+    Vector3d mean = Vector3d::Zero();
+    for (const int k : around[i]) mean += before[k];
+    const Vector3d step = 0.5 * (mean / static_cast<double>(around[i].size()) - before[i]);
+    points[i] += step - step.dot(normals[i]) * normals[i];
   }
 }
 
@@ -172,10 +164,17 @@ double roundCone(const Vector3d& point, const Vector3d& a, double ra, const Vect
 TriangleMesh skinOf(const Solid& solid, const Eigen::AlignedBox3d& box, double spacing) {
   if (!(spacing > 0.0)) throw std::invalid_argument("skinOf: spacing: not positive");
   Net net = surfaceNet(Grid(solid, box, spacing));
-  for (int pass = 0; pass < kSmoothingPasses; ++pass) {
-    smooth(net);
-    for (Vector3d& point : net.points) putOnSkin(solid, point, spacing);
+  const Adjacency around = neighbours(net.points.size(), net.triangles);
+  std::vector<Vector3d> normals(net.points.size());
+  const auto project = [&] {
+    for (std::size_t i = 0; i < net.points.size(); ++i) normals[i] = putOnSkin(solid, net.points[i], spacing);
+  };
+  project();
+  for (int round = 0; round < kRounds; ++round) {
+    for (int pass = 0; pass < kPasses; ++pass) smooth(net.points, normals, around);
+    project();
   }
+  project();
   TriangleMesh mesh;
   mesh.triangles = std::move(net.triangles);
   mesh.points.reserve(net.points.size());

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <pleura/nodes/thorax/anatomy/inner_line.h>
 #include <pleura/nodes/thorax/anatomy/measurements.h>
 #include <pleura/nodes/thorax/anatomy/ribs.h>
 #include <pleura/nodes/thorax/anatomy/tube.h>
@@ -25,15 +26,6 @@ Tube ribTube(const Table& stations, std::size_t firstRow) {
                stations.direction(row, "major_")};
   }
   return Tube(std::move(tube));
-}
-
-std::vector<Eigen::Vector3f> innerLine(const Tube& tube, Side side) {
-  std::vector<Eigen::Vector3f> line;
-  for (int k = 0; k < kRibSamples; ++k) {
-    const TubeSection section = tube.at(tube.length() * k / (kRibSamples - 1));
-    line.push_back(section.supportPoint(lungAxisNear(section.centre, side) - section.centre).cast<float>());
-  }
-  return line;
 }
 
 // The swept ellipse is too smooth at the tubercle: raise its skin there, as a bell of the tubercle's own
@@ -63,16 +55,12 @@ Rib makeRib(const Table& stations, const Table& summary, std::size_t row) {
   rib.neckAxis = summary.direction(row, "axis_").cast<float>();
   for (const Vector3d& point : tube.centreline(kRibSamples)) rib.centreline.push_back(point.cast<float>());
   rib.sternalEnd = rib.centreline.back();
-  rib.innerLine = innerLine(tube, rib.side);
+  rib.innerLine = innerLine(tube, rib.side, kRibSamples);
   raiseTubercle(rib.mesh, rib.tubercle);
   return rib;
 }
 
 }  // namespace
-
-Vector3d lungAxisNear(const Vector3d& point, Side side) {
-  return {sign(side) * 0.063, std::min(point.y(), 0.1), 0.0};
-}
 
 std::vector<Rib> generateRibs() {
   const Table stations = measurementTable("ribs");

@@ -9,39 +9,26 @@
 namespace pleura {
 namespace {
 
-constexpr int kSamples = 512;
 constexpr int kCapRings = 3;
 
 using Eigen::Vector3d;
 
-// Natural cubic spline: h0 M0 + 2 (h0 + h1) M1 + h1 M2 = 6 (d1 - d0), M = 0 at both ends (de Boor 1978, ch.
-// IV).
-std::vector<Vector3d> splineCurvature(const std::vector<TubeStation>& stations) {
-  const Eigen::Index n = static_cast<Eigen::Index>(stations.size());
-  Eigen::MatrixXd system = Eigen::MatrixXd::Identity(n, n);
-  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n, 3);
-  for (Eigen::Index i = 1; i + 1 < n; ++i) {
-    const TubeStation& a = stations[static_cast<std::size_t>(i - 1)];
-    const TubeStation& b = stations[static_cast<std::size_t>(i)];
-    const TubeStation& c = stations[static_cast<std::size_t>(i + 1)];
-    const double h0 = b.fraction - a.fraction;
-    const double h1 = c.fraction - b.fraction;
-    system.row(i).segment<3>(i - 1) << h0, 2.0 * (h0 + h1), h1;
-    right.row(i) = 6.0 * ((c.centre - b.centre) / h1 - (b.centre - a.centre) / h0);
+Spline splineOf(const std::vector<TubeStation>& stations) {
+  std::vector<double> fractions;
+  std::vector<Vector3d> centres;
+  for (const TubeStation& station : stations) {
+    fractions.push_back(station.fraction);
+    centres.push_back(station.centre);
   }
-  const Eigen::MatrixX3d solution = system.partialPivLu().solve(right);
-  std::vector<Vector3d> curvature(stations.size());
-  for (Eigen::Index i = 0; i < n; ++i) curvature[static_cast<std::size_t>(i)] = solution.row(i);
-  return curvature;
+  return Spline(std::move(fractions), std::move(centres));
 }
 
-void checkStations(const std::vector<TubeStation>& stations) {
-  if (stations.size() < 2) throw std::invalid_argument("tube: stations: fewer than two");
+// Axes have no sign of their own: give each the sign of the one before it.
+std::vector<TubeStation> alignMajors(std::vector<TubeStation> stations) {
   for (std::size_t i = 1; i < stations.size(); ++i) {
-    if (!(stations[i - 1].fraction < stations[i].fraction)) {
-      throw std::invalid_argument("tube: fraction: not strictly increasing");
-    }
+    if (stations[i].major.dot(stations[i - 1].major) < 0.0) stations[i].major *= -1.0;
   }
+  return stations;
 }
 
 // Arc lengths of the rings between the two poles; the caps are quarter turns of the given depths.
@@ -83,57 +70,25 @@ Vector3d TubeSection::supportPoint(const Vector3d& direction) const {
   return centre + (halfMajor * a * major + halfMinor * b * minor) / std::hypot(a, b);
 }
 
-Tube::Tube(std::vector<TubeStation> stations) : stations_(std::move(stations)) {
-  checkStations(stations_);
-  for (std::size_t i = 1; i < stations_.size(); ++i) {
-    if (stations_[i].major.dot(stations_[i - 1].major) < 0.0) stations_[i].major *= -1.0;
-  }
-  curvature_ = splineCurvature(stations_);
-  arcLength_.push_back(0.0);
-  Vector3d last = stations_.front().centre;
-  for (int k = 1; k <= kSamples; ++k) {
-    const Vector3d next = sectionAtSample(k).centre;
-    arcLength_.push_back(arcLength_.back() + (next - last).norm());
-    last = next;
-  }
-}
-
-TubeSection Tube::sectionAtFraction(double fraction) const {
-  const auto after = std::upper_bound(stations_.begin() + 1, stations_.end() - 1, fraction,
-                                      [](double f, const TubeStation& s) { return f < s.fraction; });
-  const std::size_t i = static_cast<std::size_t>(after - stations_.begin());
-  const TubeStation& p = stations_[i - 1];
-  const TubeStation& q = stations_[i];
-  const double h = q.fraction - p.fraction;
-  const double t = std::clamp((fraction - p.fraction) / h, 0.0, 1.0);
-  const double u = 1.0 - t;
-  const Vector3d& m0 = curvature_[i - 1];
-  const Vector3d& m1 = curvature_[i];
-
-  TubeSection section;
-  section.centre =
-      u * p.centre + t * q.centre + (h * h / 6.0) * ((u * u * u - u) * m0 + (t * t * t - t) * m1);
-  section.tangent =
-      ((q.centre - p.centre) / h + (h / 6.0) * ((1.0 - 3.0 * u * u) * m0 + (3.0 * t * t - 1.0) * m1))
-          .normalized();
-  const Vector3d major = u * p.major + t * q.major;
-  section.major = (major - major.dot(section.tangent) * section.tangent).normalized();
-  section.minor = section.tangent.cross(section.major);
-  section.halfMajor = u * p.halfMajor + t * q.halfMajor;
-  section.halfMinor = u * p.halfMinor + t * q.halfMinor;
-  return section;
-}
-
-TubeSection Tube::sectionAtSample(double sample) const {
-  const double first = stations_.front().fraction;
-  return sectionAtFraction(first + (stations_.back().fraction - first) * sample / kSamples);
-}
+Tube::Tube(std::vector<TubeStation> stations)
+    : stations_(alignMajors(std::move(stations))), centres_(splineOf(stations_)), arcLength_(centres_) {}
 
 TubeSection Tube::at(double arcLength) const {
-  const auto after = std::upper_bound(arcLength_.begin() + 1, arcLength_.end() - 1, arcLength);
-  const double before = *(after - 1);
-  const double t = std::clamp((arcLength - before) / (*after - before), 0.0, 1.0);
-  return sectionAtSample(static_cast<double>(after - arcLength_.begin()) - 1.0 + t);
+  const double fraction = arcLength_.parameter(arcLength);
+  const auto after = std::upper_bound(stations_.begin() + 1, stations_.end() - 1, fraction,
+                                      [](double f, const TubeStation& s) { return f < s.fraction; });
+  const TubeStation& p = *(after - 1);
+  const TubeStation& q = *after;
+  const double t = (fraction - p.fraction) / (q.fraction - p.fraction);
+  TubeSection section;
+  section.centre = centres_.at(fraction);
+  section.tangent = centres_.derivative(fraction).normalized();
+  const Vector3d major = (1.0 - t) * p.major + t * q.major;
+  section.major = (major - major.dot(section.tangent) * section.tangent).normalized();
+  section.minor = section.tangent.cross(section.major);
+  section.halfMajor = (1.0 - t) * p.halfMajor + t * q.halfMajor;
+  section.halfMinor = (1.0 - t) * p.halfMinor + t * q.halfMinor;
+  return section;
 }
 
 std::vector<Vector3d> Tube::centreline(int samples) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pleura/nodes/deformable/mesh/triangle_mesh.h>
+#include <pleura/nodes/thorax/anatomy/spline.h>
 
 #include <Eigen/Core>
 #include <vector>
@@ -35,19 +36,16 @@ class Tube {
   /// At least two stations with strictly increasing fractions; throws std::invalid_argument otherwise.
   explicit Tube(std::vector<TubeStation> stations);
 
-  double length() const { return arcLength_.back(); }  // [m]
+  double length() const { return arcLength_.length(); }  // [m]
   /// The cross-section at an arc length from the start [m], clamped to the tube.
   TubeSection at(double arcLength) const;
   /// Centres at equal arc lengths from end to end.
   std::vector<Eigen::Vector3d> centreline(int samples) const;
 
  private:
-  TubeSection sectionAtFraction(double fraction) const;
-  TubeSection sectionAtSample(double sample) const;
-
   std::vector<TubeStation> stations_;
-  std::vector<Eigen::Vector3d> curvature_;  // second derivatives of the spline at the stations
-  std::vector<double> arcLength_;           // at equal steps of the fraction
+  Spline centres_;
+  ArcLength arcLength_;
 };
 
 /// The tube's skin: closed, normals outwards, rounded within its length at both ends.

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <pleura/nodes/thorax/anatomy/inner_line.h>
 #include <pleura/nodes/thorax/anatomy/measurements.h>
 #include <pleura/nodes/thorax/anatomy/ribs.h>
 

@@ -1,0 +1,143 @@
+#include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/surface_query.h>
+#include <pleura/nodes/thorax/anatomy/chest_wall.h>
+#include <pleura/nodes/thorax/anatomy/implicit_surface.h>
+#include <pleura/nodes/thorax/anatomy/lung_sections.h>
+#include <pleura/nodes/thorax/anatomy/lungs.h>
+#include <pleura/nodes/thorax/anatomy/smooth_field.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pleura {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kSpacing = 0.0045;     // [m] triangle size
+constexpr double kOutlineBlur = 0.010;  // [m] the measured sections' distance
+constexpr double kBlur = 0.006;         // [m] rounding of borders and edges
+constexpr double kSeam = 0.002;         // [m] over which the skin turns onto a bone
+constexpr double kGrowth = 0.012;       // [m] the fit's largest gap to the wall, which is to be filled
+constexpr double kMidline = 0.004;      // [m] kept free on either side of x = 0
+constexpr double kReach = 0.010;        // [m] beyond which bones need not be looked at
+
+TriangleMesh merged(const std::vector<const TriangleMesh*>& meshes) {
+  TriangleMesh all;
+  for (const TriangleMesh* mesh : meshes) {
+    const int first = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), mesh->points.begin(), mesh->points.end());
+    for (const Eigen::Vector3i& t : mesh->triangles) all.triangles.push_back(t.array() + first);
+  }
+  return all;
+}
+
+SurfaceQuery bonesOf(const Anatomy& anatomy) {
+  std::vector<const TriangleMesh*> meshes{&anatomy.sternum.mesh};
+  for (const Rib& rib : anatomy.ribs) meshes.push_back(&rib.mesh);
+  for (const Cartilage& cartilage : anatomy.cartilages) meshes.push_back(&cartilage.mesh);
+  for (const Vertebra& vertebra : anatomy.vertebrae) {
+    meshes.push_back(&vertebra.bone);
+    meshes.push_back(&vertebra.disc);
+  }
+  const TriangleMesh bones = merged(meshes);
+  return SurfaceQuery(bones.points, bones.triangles);
+}
+
+Eigen::AlignedBox3d boxOf(Side side) {
+  const double outer = sign(side) * 0.14;
+  return {Vector3d(std::min(0.0, outer), -0.09, -0.1), Vector3d(std::max(0.0, outer), 0.19, 0.11)};
+}
+
+// What bounds one lung; each function is negative on the lung's side [m].
+class Space {
+ public:
+  Space(const Anatomy& rest, const DiaphragmShape& shape, Side side)
+      : side_(side),
+        shape_(shape),
+        wall_(rest.ribs, rest.cartilages, side, kPleuralGap),
+        outline_([sections = LungSections(side)](const Vector3d& p) { return sections.distance(p); },
+                 boxOf(side), kOutlineBlur) {}
+
+  double beyondWall(const Vector3d& p) const { return wall_.beyond(p); }
+
+  // Height above the dome, made a distance by the dome's slope.
+  double belowDome(const Vector3d& p) const {
+    constexpr double kStep = 0.002;  // [m]
+    const double height = shape_.heightAt(p);
+    const double dx = (shape_.heightAt(p + Vector3d(kStep, 0, 0)) - height) / kStep;
+    const double dz = (shape_.heightAt(p + Vector3d(0, 0, kStep)) - height) / kStep;
+    return kPleuralGap + (height - p.y()) / std::sqrt(1.0 + dx * dx + dz * dz);
+  }
+
+  // The measured outline, grown where wall or dome are near, but neither towards the midline nor out of the
+  // inlet.
+  double beyondOutline(const Vector3d& p, double wall, double dome) const {
+    const double depth = -std::max(wall, dome);
+    const double near = std::clamp(1.0 - depth / (2.0 * kGrowth), 0.0, 1.0);
+    const double lateral = std::clamp((sign(side_) * p.x() - 0.015) / 0.03, 0.0, 1.0);
+    const double belowInlet = std::clamp((0.14 - p.y()) / 0.03, 0.0, 1.0);
+    return outline_(p) - kGrowth * near * near * lateral * belowInlet;
+  }
+
+  double operator()(const Vector3d& p) const {
+    const double wall = beyondWall(p);
+    const double dome = belowDome(p);
+    const double midline = kMidline - sign(side_) * p.x();
+    return std::max({wall, dome, midline, beyondOutline(p, wall, dome)});
+  }
+
+  // Faces not at the wall are still costal where they look away from the midline, as in the inlet.
+  LungPart partAt(const Vector3d& p, const Vector3d& normal) const {
+    constexpr double kTouching = 0.004;  // [m]
+    const double wall = beyondWall(p);
+    const double dome = belowDome(p);
+    if (dome > wall && dome > -kTouching) return LungPart::Diaphragmatic;
+    const bool looksOut = sign(side_) * normal.x() > 0.2 && wall > -4.0 * kTouching;
+    return wall > -kTouching || looksOut ? LungPart::Costal : LungPart::Mediastinal;
+  }
+
+ private:
+  Side side_;
+  const DiaphragmShape& shape_;
+  ChestWall wall_;
+  SmoothField outline_;
+};
+
+double tooNear(const SurfaceQuery& surface, const Vector3d& p) {
+  const auto nearest = surface.closestPointWithin(p, kReach);
+  return kPleuralGap - (nearest ? nearest->distance : kReach);
+}
+
+Lung generateLung(const Anatomy& rest, const SurfaceQuery& bones, const DiaphragmShape& shape, Side side) {
+  const Space space(rest, shape, side);
+  const SurfaceQuery diaphragm(rest.diaphragm.mesh.points, rest.diaphragm.mesh.triangles);
+  const Eigen::AlignedBox3d box = boxOf(side);
+  const SmoothField smooth([&](const Vector3d& p) { return space(p); }, box, kBlur);
+  const Solid solid = [&](const Vector3d& p) {
+    const double lung = smooth(p);
+    if (lung > kReach) return lung;
+    return smoothIntersection(lung, std::max(tooNear(bones, p), tooNear(diaphragm, p)), kSeam);
+  };
+  Lung lung;
+  lung.side = side;
+  lung.name = side == Side::Left ? "LUNG_L" : "LUNG_R";
+  lung.mesh = skinOf(solid, box, kSpacing);
+  std::vector<Eigen::Vector3f> normals(lung.mesh.points.size());
+  vertexNormals(lung.mesh.points, lung.mesh.triangles, normals);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    lung.part.push_back(space.partAt(lung.mesh.points[i].cast<double>(), normals[i].cast<double>()));
+  }
+  lung.apex = *std::max_element(lung.mesh.points.begin(), lung.mesh.points.end(),
+                                [](const auto& a, const auto& b) { return a.y() < b.y(); });
+  return lung;
+}
+
+}  // namespace
+
+std::vector<Lung> generateLungs(const Anatomy& rest, const DiaphragmShape& shape) {
+  const SurfaceQuery bones = bonesOf(rest);
+  return {generateLung(rest, bones, shape, Side::Left), generateLung(rest, bones, shape, Side::Right)};
+}
+
+}  // namespace pleura
