@@ -1,7 +1,11 @@
+#include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/mesh/surface_query.h>
 #include <pleura/nodes/deformable/mesh/topology.h>
 #include <pleura/nodes/thorax/anatomy/diaphragm.h>
-#include <pleura/nodes/thorax/anatomy/spline.h>
+#include <pleura/nodes/thorax/anatomy/implicit_surface.h>
+#include <pleura/nodes/thorax/anatomy/measurements.h>
+#include <pleura/nodes/thorax/anatomy/open_sheet.h>
+#include <pleura/nodes/thorax/anatomy/smooth_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,174 +17,113 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-// Ring k has 6 k points as far as kGrowing, as many from there on: triangles stay even on dome and wall.
-constexpr int kGrowing = 15;
-constexpr int kRings = 30;
-constexpr std::size_t kRimPoints = 6 * kGrowing;
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr int kMeridians = 96;
+constexpr int kRows = DiaphragmShape::kKnots;  // knots s > 0, and the skirt's end
+constexpr double kSpacing = 0.0082;            // [m] triangle size
+constexpr double kBlur = 0.006;  // [m] against creases where the meridians meet beside the hiatus
+constexpr double kSeam = 0.003;  // [m] over which the sheet turns along the chest wall
+constexpr double kRim = 2.0;     // s
 
-int pointsOn(int ring) { return ring == 0 ? 1 : 6 * std::min(ring, kGrowing); }
-
-// A meridian read by the fraction of its length.
-struct Meridian {
-  Spline spline;
-  ArcLength length;
-
-  Meridian(const DiaphragmShape& shape, double azimuth) : spline(make(shape, azimuth)), length(spline) {}
-  static Spline make(const DiaphragmShape& shape, double azimuth) {
-    const auto points = shape.meridian(azimuth);
-    return Spline(shape.knots(), {points.begin(), points.end()});
-  }
-  double s(double fraction) const { return length.parameter(fraction * length.length()); }
-};
-
-// Azimuths at equal steps of the way around, that of the dome's edge and that of the rim taken together: near
-// the hiatus the rim climbs steeply and would be left with few points.
-class EvenAzimuths {
- public:
-  explicit EvenAzimuths(const DiaphragmShape& shape) {
-    auto last = shape.meridian(0.0);
-    for (int k = 1; k <= kSteps; ++k) {
-      const auto next = shape.meridian(kTurn * k / kSteps);
-      const double edge = (next[11] - last[11]).norm();
-      const double rim = (next.back() - last.back()).norm();
-      way_.push_back(way_.back() + edge + rim);
-      last = next;
-    }
-  }
-  double at(double fraction) const {
-    const double target = fraction * way_.back();
-    const auto after = std::upper_bound(way_.begin() + 1, way_.end() - 1, target);
-    const double t = (target - *(after - 1)) / (*after - *(after - 1));
-    return kTurn * (static_cast<double>(after - way_.begin()) - 1.0 + t) / kSteps;
-  }
-
- private:
-  static constexpr int kSteps = 720;
-  std::vector<double> way_{0.0};
-};
-
-// The sheet along its meridians, with s of every point.
-struct Sheet {
+// The measured sheet made a solid: its wall goes on below the rim as a skirt, and a cone closes it.
+struct Abdomen {
   TriangleMesh mesh;
-  std::vector<double> s;
+  std::vector<double> s;      // of every point; more than 2 below the rim
+  std::vector<Vector3f> rim;  // closed polyline
 };
 
-void addPoints(const DiaphragmShape& shape, Sheet& sheet) {
-  const EvenAzimuths azimuths(shape);
-  for (int ring = 0; ring <= kRings; ++ring) {
-    for (int k = 0; k < pointsOn(ring); ++k) {
-      const Meridian meridian(shape, azimuths.at(static_cast<double>(k) / pointsOn(ring)));
-      sheet.s.push_back(meridian.s(static_cast<double>(ring) / kRings));
-      sheet.mesh.points.push_back(meridian.spline.at(sheet.s.back()).cast<float>());
+Abdomen measuredAbdomen(const DiaphragmShape& shape) {
+  constexpr double kSkirt = 0.02;  // [m]
+  Abdomen abdomen;
+  auto& points = abdomen.mesh.points;
+  std::vector<std::array<Vector3d, DiaphragmShape::kKnots>> meridians;
+  for (int k = 0; k < kMeridians; ++k)
+    meridians.push_back(shape.meridian(2.0 * std::numbers::pi * k / kMeridians));
+  points.push_back(meridians.front().front().cast<float>());
+  abdomen.s.push_back(0.0);
+  for (int row = 1; row < DiaphragmShape::kKnots; ++row) {
+    for (const auto& meridian : meridians) points.push_back(meridian[row].cast<float>());
+    abdomen.s.insert(abdomen.s.end(), kMeridians, shape.knots()[row]);
+  }
+  abdomen.rim.assign(points.end() - kMeridians, points.end());
+  for (const auto& meridian : meridians) {
+    const Vector3d downwards = (meridian.back() - meridian.end()[-2]).normalized();
+    points.push_back((meridian.back() + kSkirt * downwards).cast<float>());
+  }
+  abdomen.s.insert(abdomen.s.end(), kMeridians, kRim + 1.0);
+  const int tip = static_cast<int>(points.size());
+  points.push_back(fromTableFrame({0.0, -120.0, 1080.0}).cast<float>());
+  abdomen.s.push_back(kRim + 2.0);
+
+  const auto index = [&](int row, int k) { return 1 + row * kMeridians + k % kMeridians; };
+  for (int k = 0; k < kMeridians; ++k) {
+    abdomen.mesh.triangles.emplace_back(0, index(0, k), index(0, k + 1));
+    for (int row = 0; row + 1 < kRows; ++row) {
+      abdomen.mesh.triangles.emplace_back(index(row, k), index(row + 1, k), index(row + 1, k + 1));
+      abdomen.mesh.triangles.emplace_back(index(row, k), index(row + 1, k + 1), index(row, k + 1));
     }
+    abdomen.mesh.triangles.emplace_back(index(kRows - 1, k), tip, index(kRows - 1, k + 1));
   }
+  return abdomen;
 }
 
-// Sews ring to ring, always across to the neighbour that is less far around.
-void addTriangles(TriangleMesh& mesh) {
-  int inner = 0;
-  for (int ring = 0; ring < kRings; ++ring) {
-    const int n = pointsOn(ring);
-    const int m = pointsOn(ring + 1);
-    const int outer = inner + n;
-    for (int i = 0, j = 0; i < n || j < m;) {
-      const int a = inner + i % n;
-      const int b = outer + j % m;
-      const bool alongOuter = n == 1 || i == n || (j < m && (j + 1) * n <= (i + 1) * m);
-      if (alongOuter && j == m) break;
-      if (alongOuter) {
-        mesh.triangles.emplace_back(a, b, outer + ++j % m);
-      } else {
-        mesh.triangles.emplace_back(a, b, inner + ++i % n);
-      }
-    }
-    inner = outer;
-  }
+double sAt(const Abdomen& abdomen, const SurfaceQuery& query, const Vector3d& point) {
+  const SurfacePoint at = query.closestPoint(point);
+  const Eigen::Vector3i& t = abdomen.mesh.triangles[at.triangle];
+  return at.barycentric.dot(Vector3d(abdomen.s[t[0]], abdomen.s[t[1]], abdomen.s[t[2]]));
 }
 
-std::vector<Vector3f> means(const std::vector<Vector3f>& points, const Adjacency& around) {
-  std::vector<Vector3f> result;
-  for (int i = 0; i < around.rows(); ++i) {
-    Vector3f sum = Vector3f::Zero();
-    for (const int k : around[i]) sum += points[k];
-    result.push_back(sum / static_cast<float>(around[i].size()));
-  }
-  return result;
+// The walls of both sides; in the midline, where neither has bones, they open.
+double beyondWalls(const std::array<ChestWall, 2>& walls, const Vector3d& point) {
+  constexpr double kMidline = 0.016;  // [m]
+  constexpr double kOpening = 0.05;   // [m]
+  const double opening = kOpening * std::max(0.0, 1.0 - std::abs(point.x()) / kMidline);
+  return walls[point.x() > 0.0 ? 0 : 1].beyond(point) - opening;
 }
 
-// Smooths without shrinking (Taubin 1995): the meridians crowd where they start, beside the hiatus, and
-// crease there.
-void fair(TriangleMesh& mesh) {
-  constexpr int kPasses = 6;
-  const Adjacency around = neighbours(mesh.points.size(), mesh.triangles);
-  const std::size_t inner = mesh.points.size() - kRimPoints;
-  for (int pass = 0; pass < 2 * kPasses; ++pass) {
-    const float step = pass % 2 == 0 ? 0.5f : -0.53f;
-    const std::vector<Vector3f> mean = means(mesh.points, around);
-    for (std::size_t i = 0; i < inner; ++i) mesh.points[i] += step * (mean[i] - mesh.points[i]);
-  }
+Vector3f pressedInside(const std::array<ChestWall, 2>& walls, const Vector3f& point) {
+  const Vector3d ray = point.cast<double>() - walls[point.x() > 0.0f ? 0 : 1].centre();
+  const double beyond = beyondWalls(walls, point.cast<double>());
+  return beyond > 0.0 ? Vector3f(point - (beyond * ray.normalized()).cast<float>()) : point;
 }
 
-Vector3f nearestOnLoop(const std::vector<Vector3f>& loop, const Vector3f& point) {
-  Vector3f best = loop.front();
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Vector3f axis = loop[(k + 1) % loop.size()] - loop[k];
-    const float t = std::clamp((point - loop[k]).dot(axis) / axis.squaredNorm(), 0.0f, 1.0f);
-    const Vector3f candidate = loop[k] + t * axis;
-    if ((candidate - point).squaredNorm() < (best - point).squaredNorm()) best = candidate;
+// Draws the ragged border of the cut to the rim and spreads the triangles behind it.
+void drawToRim(OpenSheet& sheet, const std::vector<Vector3f>& rim, const Solid& solid) {
+  constexpr int kPasses = 30;
+  const Adjacency around = neighbours(sheet.mesh.points.size(), sheet.mesh.triangles);
+  std::vector<int> last(sheet.next.size(), -1);
+  for (std::size_t i = 0; i < last.size(); ++i) {
+    if (sheet.next[i] >= 0) last[sheet.next[i]] = static_cast<int>(i);
   }
-  return best;
-}
-
-// Evens out the triangles: every point towards the mean of its neighbours, within the sheet, the rim's within
-// the rim.
-void relax(TriangleMesh& mesh) {
-  constexpr int kPasses = 60;
-  const SurfaceQuery sheet(mesh.points, mesh.triangles);
-  const Adjacency around = neighbours(mesh.points.size(), mesh.triangles);
-  const std::size_t inner = mesh.points.size() - kRimPoints;
-  const std::vector<Vector3f> rim(mesh.points.begin() + static_cast<std::ptrdiff_t>(inner),
-                                  mesh.points.end());
   for (int pass = 0; pass < kPasses; ++pass) {
-    const std::vector<Vector3f> mean = means(mesh.points, around);
-    const std::vector<Vector3f> before = mesh.points;
-    for (std::size_t i = 0; i < inner; ++i) {
-      mesh.points[i] = sheet.closestPoint((0.5f * (before[i] + mean[i])).cast<double>()).point.cast<float>();
-    }
-    for (std::size_t k = 0; k < rim.size(); ++k) {
-      const Vector3f next = before[inner + (k + 1) % rim.size()];
-      const Vector3f last = before[inner + (k + rim.size() - 1) % rim.size()];
-      mesh.points[inner + k] = nearestOnLoop(rim, 0.5f * before[inner + k] + 0.25f * (next + last));
+    const std::vector<Vector3f> before = sheet.mesh.points;
+    for (int i = 0; i < around.rows(); ++i) {
+      if (sheet.next[i] >= 0) {
+        const Vector3f along = 0.25f * (before[sheet.next[i]] + before[last[i]]);
+        sheet.mesh.points[i] = nearestOnLoop(rim, 0.5f * before[i] + along);
+        continue;
+      }
+      Vector3f mean = Vector3f::Zero();
+      for (const int k : around[i]) mean += before[k];
+      mean /= static_cast<float>(around[i].size());
+      sheet.mesh.points[i] =
+          nearestOnSkin(solid, (0.5f * (before[i] + mean)).cast<double>(), kSpacing).cast<float>();
     }
   }
 }
 
-// The sheet runs on the inside of the cage; where the measured one and the swept ribs disagree, the ribs win.
-void pressInside(TriangleMesh& mesh, const std::array<ChestWall, 2>& walls) {
-  for (Vector3f& point : mesh.points) {
-    const ChestWall& wall = walls[point.x() > 0.0f ? 0 : 1];
-    const Vector3d ray = point.cast<double>() - wall.centre();
-    const double beyond = wall.beyond(point.cast<double>());
-    if (beyond > 0.0) point -= (beyond * ray.normalized()).cast<float>();
-  }
-}
-
-void addTags(const DiaphragmShape& shape, const Sheet& sheet, Diaphragm& diaphragm) {
-  const SurfaceQuery query(sheet.mesh.points, sheet.mesh.triangles);
-  const std::size_t inner = diaphragm.mesh.points.size() - kRimPoints;
+void addTags(const DiaphragmShape& shape, const std::vector<int>& next, const Abdomen& abdomen,
+             const SurfaceQuery& query, Diaphragm& diaphragm) {
   for (std::size_t i = 0; i < diaphragm.mesh.points.size(); ++i) {
     const Vector3d point = diaphragm.mesh.points[i].cast<double>();
-    const SurfacePoint at = query.closestPoint(point);
-    const Eigen::Vector3i& t = sheet.mesh.triangles[at.triangle];
-    const double s = at.barycentric.dot(Vector3d(sheet.s[t[0]], sheet.s[t[1]], sheet.s[t[2]]));
+    const double s = next[i] >= 0 ? kRim : std::min(sAt(abdomen, query, point), kRim);
     const double azimuth = shape.azimuthOf(point);
     diaphragm.s.push_back(static_cast<float>(s));
     diaphragm.azimuth.push_back(static_cast<float>(azimuth));
-    diaphragm.part.push_back(i >= inner                       ? DiaphragmPart::Rim
-                             : s > 1.0                        ? DiaphragmPart::Wall
-                             : s <= shape.tendonEdge(azimuth) ? DiaphragmPart::Tendon
-                                                              : DiaphragmPart::Dome);
+    DiaphragmPart part = DiaphragmPart::Dome;
+    if (s > 1.0) part = DiaphragmPart::Wall;
+    if (s <= shape.tendonEdge(azimuth)) part = DiaphragmPart::Tendon;
+    if (next[i] >= 0) part = DiaphragmPart::Rim;
+    diaphragm.part.push_back(part);
   }
 }
 
@@ -196,15 +139,28 @@ Vector3f domeTop(const TriangleMesh& mesh, Side side) {
 }  // namespace
 
 Diaphragm generateDiaphragm(const DiaphragmShape& shape, const std::array<ChestWall, 2>& walls) {
-  Sheet sheet;
-  addPoints(shape, sheet);
-  addTriangles(sheet.mesh);
-  fair(sheet.mesh);
+  Abdomen abdomen = measuredAbdomen(shape);
+  const SurfaceQuery measured(abdomen.mesh.points, abdomen.mesh.triangles);
+  const Vector3f margin = Vector3f::Constant(0.02f);
+  Eigen::AlignedBox3f box = boundingBox(abdomen.mesh.points);
+  box = {box.min() - margin, box.max() + margin};
+  const SmoothField blurred([&](const Vector3d& p) { return measured.signedDistance(p); }, box.cast<double>(),
+                            kBlur);
+  const Solid solid = [&](const Vector3d& p) {
+    return smoothIntersection(blurred(p), beyondWalls(walls, p), kSeam);
+  };
+
+  const TriangleMesh closed = skinOf(solid, box.cast<double>(), kSpacing);
+  std::vector<bool> keep;
+  for (const Vector3f& point : closed.points)
+    keep.push_back(sAt(abdomen, measured, point.cast<double>()) <= kRim);
+  OpenSheet sheet = cutOpen(closed, keep);
+  for (Vector3f& point : abdomen.rim) point = pressedInside(walls, point);
+  drawToRim(sheet, abdomen.rim, solid);
+
   Diaphragm diaphragm;
-  diaphragm.mesh = sheet.mesh;
-  relax(diaphragm.mesh);
-  addTags(shape, sheet, diaphragm);
-  pressInside(diaphragm.mesh, walls);
+  diaphragm.mesh = std::move(sheet.mesh);
+  addTags(shape, sheet.next, abdomen, measured, diaphragm);
   diaphragm.domeTopLeft = domeTop(diaphragm.mesh, Side::Left);
   diaphragm.domeTopRight = domeTop(diaphragm.mesh, Side::Right);
   return diaphragm;

@@ -226,6 +226,12 @@ double roundCone(const Vector3d& point, const Vector3d& a, double ra, const Vect
   return (point - a - t * axis).norm() - (ra + t * (rb - ra));
 }
 
+Vector3d nearestOnSkin(const Solid& solid, const Vector3d& point, double longest) {
+  Vector3d moved = point;
+  putOnSkin(solid, moved, longest);
+  return moved;
+}
+
 TriangleMesh skinOf(const Solid& solid, const Eigen::AlignedBox3d& box, double spacing) {
   if (!(spacing > 0.0)) throw std::invalid_argument("skinOf: spacing: not positive");
   Net net = surfaceNet(Grid(solid, box, spacing));
