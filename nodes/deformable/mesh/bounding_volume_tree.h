@@ -32,8 +32,8 @@ class BoundingVolumeTree {
 
   /// A leaf's triangles order_[first] .. order_[first + count - 1], or, where count is 0, node `first`.
   struct Child {
-    int first = 0;
-    int count = 0;
+    int first;
+    int count;
   };
 
   struct Node {

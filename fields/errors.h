@@ -1,0 +1,34 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace pleura {
+
+/// Something that was asked of a field and can't be done. The message names the field.
+struct FieldError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Setting what may not be set, or reading what may not be read.
+struct FieldAccessError : FieldError {
+  using FieldError::FieldError;
+};
+
+/// A route between fields whose types or access types do not fit, or one input too many. Nothing was changed.
+struct RouteError : FieldError {
+  using FieldError::FieldError;
+};
+
+/// A TypedField was evaluated without the inputs that it requires.
+struct MissingInputError : FieldError {
+  using FieldError::FieldError;
+};
+
+/// Text that is no value of the field's type. `offset` is where in the text, in bytes.
+struct FieldParseError : FieldError {
+  FieldParseError(const std::string& expected, std::size_t at) : FieldError(expected), offset(at) {}
+  std::size_t offset;
+};
+
+}  // namespace pleura

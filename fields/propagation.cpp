@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <utility>
+
+#include <pleura/fields/counters.h>
+#include <pleura/fields/errors.h>
+#include <pleura/fields/propagation.h>
+
+namespace pleura {
+
+namespace {
+
+/// How often in a row AutoUpdate fields may set what others of them hear of.
+constexpr std::size_t kMostRounds = 100'000;
+
+}  // namespace
+
+/// The path from the origin to where the walk stands, and the fields to call back after it: one a thread,
+/// reused.
+struct Propagation::Walk {
+  struct Step {
+    Field* field;
+    Field* const* next;
+    Field* const* last;
+    bool settled;  // every target so far is out of date by way of `field`, with all that follows it
+  };
+  std::vector<Step> path;
+  std::vector<Field*> observers;
+  bool calling = false;
+
+  static Walk& ofThread() {
+    thread_local Walk walk;
+    return walk;
+  }
+};
+
+std::uint64_t Propagation::nextStamp() {
+  static std::atomic<std::uint64_t> last{0};
+  return last.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
+void Propagation::start(Field& origin) {
+  const std::uint64_t stamp = nextStamp();
+  origin.event.stamp = stamp;
+  if (origin.settled_) return;
+  Field* const* first = origin.routes_out.data();
+  walk(origin, first, first + origin.routes_out.size(), stamp);
+  callObservers();
+}
+
+void Propagation::start(Field& origin, Field* target) {
+  const std::uint64_t stamp = nextStamp();
+  origin.event.stamp = stamp;
+  walk(origin, &target, &target + 1, stamp);
+  origin.settled_ = false;
+  callObservers();
+}
+
+/// Whether the event has come by `field` already: walked, or passed over with all that is below a settled
+/// field. What is found is noted in the stamps, so that no way up is gone twice.
+bool Propagation::hasPassed(Field& field, std::uint64_t stamp) {
+  if (field.event.stamp >= stamp) return true;
+  const Field* above = field.event.sender;
+  while (above != nullptr && above->settled_ && above->event.stamp < stamp) above = above->event.sender;
+  if (above == nullptr || !above->settled_) return false;
+  for (Field* below = &field; below != above; below = below->event.sender) below->event.stamp = stamp;
+  return true;
+}
+
+/// Marks `to` as out of date by `from`, if the event is news to it.
+bool Propagation::arrive(Field& from, Field& to, std::uint64_t stamp) {
+  if (to.observes_) {
+    to.observe({&from, stamp});
+    if (!to.queued_) {
+      to.queued_ = true;
+      Walk::ofThread().observers.push_back(&to);
+    }
+  }
+  if (hasPassed(to, stamp)) return false;
+  if (to.event.sender != &from) Field::unsettle(to.event.sender);
+  to.event = {&from, stamp};
+  return true;
+}
+
+void Propagation::walk(Field& origin, Field* const* first, Field* const* last, std::uint64_t stamp) {
+  auto& path = Walk::ofThread().path;
+  const std::size_t base = path.size();
+  std::uint64_t accepted = 0;
+  path.push_back({&origin, first, last, true});
+  while (path.size() > base) {
+    auto& step = path.back();
+    if (step.next == step.last) {
+      const bool settled = step.settled;
+      step.field->settled_ = settled;
+      path.pop_back();
+      if (!settled && path.size() > base) path.back().settled = false;
+      continue;
+    }
+    Field& to = **step.next++;
+    const bool isNews = arrive(*step.field, to, stamp);
+    // An observing field has to hear every event, and one reached by two ways has to hear each of them.
+    if (!isNews || to.observes_) step.settled = false;
+    if (!isNews) continue;
+    ++accepted;
+    if (to.settled_) continue;
+    if (to.routes_out.empty()) {
+      to.settled_ = true;
+      continue;
+    }
+    Field* const* out = to.routes_out.data();
+    path.push_back({&to, out, out + to.routes_out.size(), true});
+  }
+  fieldCounters().events += accepted;
+}
+
+/// Each is called, though one before it throws; the first exception is thrown on. What an observer sets may
+/// queue others: a round each.
+void Propagation::callObservers() {
+  Walk& walk = Walk::ofThread();
+  if (walk.calling || walk.observers.empty()) return;
+  walk.calling = true;
+  std::exception_ptr failure;
+  std::size_t roundEnd = walk.observers.size();
+  for (std::size_t i = 0, rounds = 1; i < walk.observers.size(); ++i) {
+    if (i == roundEnd) {
+      roundEnd = walk.observers.size();
+      ++rounds;
+    }
+    Field* field = std::exchange(walk.observers[i], nullptr);
+    if (field == nullptr) continue;
+    field->queued_ = false;
+    try {
+      if (rounds > kMostRounds)
+        throw FieldError(field->getFullName() + " causes itself to change without end");
+      field->afterEvents();
+    } catch (...) {
+      if (failure == nullptr) failure = std::current_exception();
+    }
+  }
+  walk.observers.clear();
+  walk.calling = false;
+  if (failure != nullptr) std::rethrow_exception(failure);
+}
+
+void Propagation::forget(const Field* field) {
+  auto& observers = Walk::ofThread().observers;
+  std::replace(observers.begin(), observers.end(), const_cast<Field*>(field), static_cast<Field*>(nullptr));
+}
+
+}  // namespace pleura

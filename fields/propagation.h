@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include <pleura/fields/field.h>
+
+namespace pleura {
+
+/// Carries events along the routes: depth first, in the order of the routes, a field accepting an event only
+/// when it is newer than the last it has seen. So a diamond is marked once and a cycle ends. A field whose
+/// whole downstream is out of date already (`settled_`) is not walked again: setting what nobody has read
+/// since costs nothing per edge. No recursion: the length of a chain is bounded by memory only.
+class Propagation {
+ public:
+  /// A change of `origin` made now, told to all it routes to.
+  static void start(Field& origin);
+  /// The same told to one of its targets only.
+  static void start(Field& origin, Field* target);
+  /// `field` is being destroyed and must not be called back.
+  static void forget(const Field* field);
+
+ private:
+  struct Walk;
+  static std::uint64_t nextStamp();
+  static void walk(Field& origin, Field* const* first, Field* const* last, std::uint64_t stamp);
+  static bool arrive(Field& from, Field& to, std::uint64_t stamp);
+  static bool hasPassed(Field& field, std::uint64_t stamp);
+  static void callObservers();
+};
+
+}  // namespace pleura

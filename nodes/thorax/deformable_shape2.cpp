@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include <pleura/nodes/core/scene_context.h>
+#include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/rest_mesh.h>
+#include <pleura/nodes/deformable/solve_counter.h>
+#include <pleura/nodes/standard/rendering/coordinate.h>
+#include <pleura/nodes/standard/rendering/x3d_composed_geometry_node.h>
+#include <pleura/nodes/thorax/deformable_shape2.h>
+
+namespace pleura {
+
+void DeformableShape2::declare(NodeType& type) {
+  X3DShapeNode::declare(type);
+  type.named("DeformableShape2", "Pleura").means("an organ: a shape that deforms where its points are moved");
+  using enum Access;
+  type.field<&DeformableShape2::deformer>("deformer", inputOutput, {}).means("how the other points follow");
+  type.field<&DeformableShape2::origCoord>("origCoord", inputOutput, {})
+      .measuredIn(Unit::length)
+      .means("the shape at rest; the geometry's own points when empty");
+  type.field<&DeformableShape2::rigid_points>("rigid_points", inputOutput, {})
+      .means("points that keep their places to one another");
+  type.field<&DeformableShape2::contactIndex>("contactIndex", inputOutput, {})
+      .means("the points that are moved");
+  type.field<&DeformableShape2::contactPoint>("contactPoint", inputOutput, {})
+      .measuredIn(Unit::length)
+      .means("where they are moved to, one for each of contactIndex");
+  type.field<&DeformableShape2::deformedCoord>("deformedCoord", outputOnly, {})
+      .measuredIn(Unit::length)
+      .means("the shape now");
+  type.field<&DeformableShape2::volume>("volume", outputOnly, 0)
+      .measuredIn(Unit::volume)
+      .means("what the deformed surface encloses");
+  type.field<&DeformableShape2::top>("top", outputOnly, 0)
+      .measuredIn(Unit::length)
+      .means("height of the highest point of the deformed surface");
+}
+
+void DeformableShape2::onInitialize() {
+  auto* composed = dynamic_cast<X3DComposedGeometryNode*>(geometry.get());
+  auto* coordinate = composed != nullptr ? dynamic_cast<Coordinate*>(composed->coord.get()) : nullptr;
+  if (coordinate == nullptr)
+    return context().warn(*this, "the geometry has no Coordinate whose points could move");
+  if (origCoord.empty()) origCoord.setValue(coordinate->point.getValue());
+  for (Field* input :
+       std::initializer_list<Field*>{&deformer, &origCoord, &rigid_points, &contactIndex, &contactPoint})
+    input->routeNoEvent(deformedCoord, id);
+  if (auto* solver = deformer.get())
+    for (Field* input : solver->inputs()) input->routeNoEvent(deformedCoord, id);
+  deformedCoord.routeNoEvent(volume, id);
+  deformedCoord.routeNoEvent(top, id);
+  deformedCoord.touch();
+  origCoord.touch();
+  deformedCoord.route(coordinate->point);
+}
+
+const TriangleMesh& DeformableShape2::rest() {
+  const std::array<std::uint64_t, 2> stamps = {origCoord.getStamp(), geometry.getStamp()};
+  if (stamps == meshStamps_ || geometry.get() == nullptr) return rest_;
+  meshStamps_ = stamps;
+  rest_ = restMesh(*geometry.get());
+  rest_.points = origCoord.getValue();
+  return rest_;
+}
+
+void DeformableShape2::takeRest() {
+  auto* solver = deformer.get();
+  if (solver == nullptr) return;
+  const TriangleMesh& shape = rest();
+  slot_.assign(shape.points.size(), -1);
+  solver->setRest(shape, rigid_points.getValue());
+}
+
+void DeformableShape2::gatherContacts() {
+  const auto& index = contactIndex.getValue();
+  const auto& point = contactPoint.getValue();
+  driven_.clear();
+  targets_.clear();
+  for (std::size_t i = 0; i < std::min(index.size(), point.size()); ++i) {
+    if (index[i] < 0 || index[i] >= static_cast<int>(slot_.size())) continue;
+    int& slot = slot_[static_cast<std::size_t>(index[i])];
+    if (slot < 0) {
+      slot = static_cast<int>(driven_.size());
+      driven_.push_back(index[i]);
+      targets_.push_back(point[i]);
+    } else {
+      targets_[static_cast<std::size_t>(slot)] = point[i];
+    }
+  }
+  for (const int i : driven_) slot_[static_cast<std::size_t>(i)] = -1;
+}
+
+void DeformableShape2::deform(std::vector<Vec3f>& positions) {
+  if (origCoord.empty()) return positions.clear();
+  if (positions.size() != origCoord.size()) positions = origCoord.getValue();
+  auto* solver = deformer.get();
+  if (solver == nullptr) return;
+  try {
+    const std::uint64_t stamp =
+        std::max({deformer.getStamp(), origCoord.getStamp(), rigid_points.getStamp()});
+    if (stamp != restStamp_ || !usable_) {
+      restStamp_ = stamp;
+      usable_ = false;
+      takeRest();
+      usable_ = true;
+    }
+    gatherContacts();
+    ++solveCounter();
+    solver->deform(driven_, targets_, positions);
+  } catch (const std::invalid_argument& refused) {
+    context().warn(*this, refused.what());
+  }
+}
+
+void DeformableShape2::Volume::update() {
+  auto& node = *static_cast<DeformableShape2*>(getOwner());
+  const auto& points = static_cast<MFVec3f*>(routes_in[0])->getValue();
+  value = static_cast<float>(signedVolume(points, node.rest().triangles));
+}
+
+void DeformableShape2::Top::update() {
+  const auto& points = static_cast<MFVec3f*>(routes_in[0])->getValue();
+  value = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    value = i == 0 ? points[i].y() : std::max(value, points[i].y());
+}
+
+}  // namespace pleura

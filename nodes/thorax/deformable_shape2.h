@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <pleura/fields/joined_field.h>
+#include <pleura/nodes/core/typed_node_field.h>
+#include <pleura/nodes/deformable/deformer_node.h>
+#include <pleura/nodes/standard/shape/x3d_shape_node.h>
+
+namespace pleura {
+
+/// A shape that deforms because some of its points are moved: an organ. Its geometry is an IndexedTriangleSet
+/// or IndexedFaceSet with a Coordinate, which shows `deformedCoord`. Nobody looks, nothing is computed.
+class DeformableShape2 : public X3DShapeNode {
+ public:
+  TypedSFNode<DeformerNode> deformer;
+  MFVec3f origCoord;
+  MFInt32 rigid_points;
+
+  JoinedField<MFInt32> contactIndex;
+  JoinedField<MFVec3f> contactPoint;
+
+  class Deformed : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, MFInt32, SFNode, SFMatrix4f>>> {
+    void update() override { static_cast<DeformableShape2*>(getOwner())->deform(value); }
+  };
+  Deformed deformedCoord;
+
+  class Volume : public TypedField<SFFloat, Types<MFVec3f>> {
+    void update() override;
+  };
+  Volume volume;
+
+  class Top : public TypedField<SFFloat, Types<MFVec3f>> {
+    void update() override;
+  };
+  Top top;
+
+  /// The rest shape with its triangles.
+  const TriangleMesh& rest();
+
+  static void declare(NodeType& type);
+
+ protected:
+  void onInitialize() override;
+
+ private:
+  void deform(std::vector<Vec3f>& positions);
+  void takeRest();
+  void gatherContacts();
+
+  TriangleMesh rest_;
+  std::array<std::uint64_t, 2> meshStamps_{};
+  std::uint64_t restStamp_ = 0;
+  bool usable_ = false;
+  std::vector<int> driven_;
+  std::vector<Vec3f> targets_;
+  std::vector<int> slot_;  // of each point in driven_, -1: none
+};
+
+}  // namespace pleura

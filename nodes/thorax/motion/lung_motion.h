@@ -1,0 +1,44 @@
+#pragma once
+
+#include <pleura/nodes/thorax/anatomy/anatomy.h>
+#include <pleura/nodes/thorax/motion/harmonic_fill.h>
+#include <pleura/nodes/thorax/motion/hemithorax.h>
+
+#include <span>
+#include <vector>
+
+namespace pleura {
+
+/// A lung between its wall and the diaphragm. Driven: every point near either, by the nearer one. On the wall it
+/// slides; on the diaphragm it keeps its offset from the place it lay on. The mediastinal rest fills in
+/// harmonically.
+class LungMotion {
+ public:
+  LungMotion(const Lung& lung, const Hemithorax& half, const TriangleMesh& diaphragm);
+
+  /// Positions [m] at an inflation, given the moved wall and diaphragm. Does not allocate; one call at a time.
+  void move(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
+            std::span<const Eigen::Vector3f> diaphragmNow, double inflation, std::span<Eigen::Vector3f> points);
+
+  /// The points that something drives, ascending.
+  const std::vector<int>& driven() const { return driven_; }
+
+ private:
+  /// A point that keeps its offset from a place on a triangle of the diaphragm.
+  struct DiaphragmFollower {
+    int index;
+    Eigen::Vector3i corners;
+    Eigen::Vector3f barycentric;
+    Eigen::Vector3f foot;  // [m] that place at rest
+  };
+  static Eigen::Vector3f footOf(const DiaphragmFollower& follower, std::span<const Eigen::Vector3f> diaphragm);
+
+  std::vector<Eigen::Vector3f> rest_;
+  std::vector<WallFollower> onWall_;
+  std::vector<DiaphragmFollower> onDiaphragm_;
+  std::vector<int> driven_;
+  HarmonicFill fill_;
+  std::vector<Eigen::Vector4f> displacement_;
+};
+
+}  // namespace pleura

@@ -1,0 +1,58 @@
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <pleura/nodes/core/node_registry.h>
+#include <pleura/nodes/core/plugin.h>
+#include <pleura/nodes/standard/register.h>
+#include <pleura/x3d/browser/commands/commands.h>
+#include <pleura/x3d/browser/scene/reference.h>
+
+namespace pleura {
+
+namespace {
+
+struct Options {
+  std::string type;
+  std::vector<std::string> libraries = {"thorax"};
+  bool markdown = false;
+  bool xsd = false;
+};
+
+void printReference(const Options& options) {
+  NodeRegistry registry;
+  registerStandardNodes(registry);
+  PluginLoader plugins;
+  for (const auto& library : options.libraries) plugins.load(library, registry);
+  std::vector<const NodeType*> types = registry.types();
+  if (!options.type.empty()) {
+    const NodeType* type = registry.find(options.type);
+    if (type == nullptr) {
+      const std::string nearest = registry.nearest(options.type);
+      throw Fault(fmt::format("no node type {}{}", options.type,
+                              nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+    }
+    types = {type};
+  }
+  if (options.xsd) return fmt::print("{}", referenceAsXsd(types));
+  if (options.markdown) return fmt::print("{}", referenceAsMarkdown(types));
+  fmt::print("{}", options.type.empty() ? referenceAsList(types) : referenceAsText(*types.front()));
+}
+
+}  // namespace
+
+void addNodesCommand(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("nodes", "Reference: node types, their fields, types, access, defaults, units");
+  const auto options = std::make_shared<Options>();
+  command->add_option("TYPE", options->type, "One node type");
+  command->add_option("--library", options->libraries, "Plugins to load; repeat for more")
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  auto* markdown = command->add_flag("--markdown", options->markdown, "As Markdown");
+  command->add_flag("--xsd", options->xsd, "As an XML schema")->excludes(markdown);
+  command->callback([options] { printReference(*options); });
+}
+
+}  // namespace pleura

@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include <pleura/x3d/browser/commands/commands.h>
+#include <pleura/x3d/browser/commands/scene_options.h>
+#include <pleura/x3d/browser/scene/state_hash.h>
+
+namespace pleura {
+
+void SceneOptions::addTo(CLI::App& command) {
+  command.add_option("SCENE", file, "X3D file")->required();
+  command.add_option("--anatomy", anatomy, "Folder that stands in for the scene's own anatomy/ folder");
+  command.add_flag("--allow-outside", allowOutside, "Let Inlines read outside the scene's folder");
+  command.add_option("--set", playback.set, "DEF.field=VALUE before the first tick; repeat for more")
+      ->allow_extra_args(false);
+}
+
+void SceneOptions::addPlaybackTo(CLI::App& command) {
+  command.add_option("--step", playback.step, "Seconds from one tick to the next")->capture_default_str();
+  command.add_option("--watch", playback.watch, "DEF.field to follow in the CSV; repeat for more")
+      ->allow_extra_args(false);
+  command.add_option("--csv", playback.csv, "Where the watched fields are written, a row a step");
+  command.add_option("--keys", playback.keys, "Keys at times, as \"2.0:p 4.0:p\"");
+  command.add_option("--device", device, "Name of the haptic device to use");
+  command.add_option("--stylus", stylus, "Path of the simulated stylus (CSV)");
+  command.add_flag("--stats", stats, "Print milliseconds, updates and solves per tick as JSON");
+  command.add_flag("--hash", hash, "Print a hash of the state at the end");
+}
+
+std::unique_ptr<Scene> SceneOptions::load() const {
+  if (!device.empty() || !stylus.empty())
+    throw UsageError("this Pleura has no haptic devices yet: --device and --stylus can't be used");
+  auto scene = std::make_unique<Scene>();
+  ReaderLimits limits;
+  limits.outsideFolder = allowOutside;
+  limits.anatomyFolder = anatomy;
+  if (!anatomy.empty() && !std::filesystem::is_directory(anatomy))
+    throw UsageError(anatomy.string() + " is no folder");
+  scene->load(file, limits);
+  for (const auto& diagnostic : scene->diagnostics().all()) fmt::print(stderr, "{}\n", toText(diagnostic));
+  if (scene->diagnostics().unlisted() > 0)
+    fmt::print(stderr, "and {} more\n", scene->diagnostics().unlisted());
+  if (scene->document().nodes.empty() && scene->diagnostics().errors() > 0)
+    throw Fault(file.string() + ": nothing to show");
+  return scene;
+}
+
+void SceneOptions::report(Scene& scene, const Playback& done) const {
+  if (stats) fmt::print("{}\n", done.statistics().toJson());
+  if (hash) fmt::print("{:016x}\n", stateHash(scene));
+}
+
+}  // namespace pleura

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <pleura/x3d/browser/scene/playback.h>
+#include <pleura/x3d/browser/scene/scene.h>
+
+namespace pleura {
+
+/// The options that `run`, `render` and `play` share.
+struct SceneOptions {
+  std::filesystem::path file;
+  std::filesystem::path anatomy;
+  bool allowOutside = false;
+  PlaybackOptions playback;
+  std::string device;
+  std::filesystem::path stylus;
+  bool stats = false;
+  bool hash = false;
+
+  void addTo(CLI::App& command);
+  void addPlaybackTo(CLI::App& command);
+
+  /// Loads the file and prints every diagnostic to stderr. Throws Fault when the scene has errors.
+  std::unique_ptr<Scene> load() const;
+  /// Prints what --stats and --hash ask for.
+  void report(Scene& scene, const Playback& playback) const;
+};
+
+}  // namespace pleura

@@ -1,0 +1,155 @@
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pleura/x3d/browser/render/background_pass.h>
+#include <pleura/x3d/browser/render/depth_peeling.h>
+#include <pleura/x3d/browser/render/geometry_cache.h>
+#include <pleura/x3d/browser/render/light_buffer.h>
+#include <pleura/x3d/browser/render/overlay_pass.h>
+#include <pleura/x3d/browser/render/projection.h>
+#include <pleura/x3d/browser/render/render_target.h>
+#include <pleura/x3d/browser/render/renderer.h>
+#include <pleura/x3d/browser/render/shaders.h>
+#include <pleura/x3d/browser/render/surface_pass.h>
+#include <pleura/x3d/browser/render/validate.h>
+
+namespace pleura::render {
+namespace {
+
+constexpr const char* version = "#version 330 core\n";
+
+bool hasExtension(const GlFunctions& gl, const char* name) {
+  GLint count = 0;
+  gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i)
+    if (std::strcmp(reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))),
+                    name) == 0)
+      return true;
+  return false;
+}
+
+/// Depth peeling compares sample by sample, which OpenGL 3.3 can do with this extension; all of OpenGL 4 has
+/// it.
+constexpr const char* sampleShading = "GL_ARB_sample_shading";
+
+std::string peelHeader(bool perSample) {
+  if (!perSample) return std::string(version) + "#define SAMPLE 0\n";
+  return std::string(version) + "#extension " + sampleShading + " : require\n#define SAMPLE gl_SampleID\n";
+}
+
+void checkSize(int width, int height) {
+  if (width < 1 || height < 1 || width > 8192 || height > 8192)
+    throw std::invalid_argument(fmt::format("picture of {} x {}: sides must be in [1, 8192]", width, height));
+}
+
+GlContext& madeCurrent(GlContext& context) {
+  context.makeCurrent();
+  return context;
+}
+
+}  // namespace
+
+struct Renderer::Implementation {
+  Implementation(GlContext& glContext, int wantedSamples)
+      : context(madeCurrent(glContext)),
+        gl(loadGlFunctions(context)),
+        perSample(hasExtension(gl, sampleShading)),
+        samples(perSample ? wantedSamples : 1),
+        geometries(gl),
+        lights(gl),
+        background(gl, version),
+        shaded(gl, version, shaders::surfaceFragment),
+        peeling(gl, peelHeader(perSample)),
+        overlay(gl, version) {}
+
+  void collectSurfaces(const DrawList& list);
+  void drawOpaque(const FrameUniforms& frame);
+
+  GlContext& context;
+  GlFunctions gl;
+  bool perSample;
+  int samples;
+  GeometryCache geometries;
+  LightBuffer lights;
+  BackgroundPass background;
+  SurfacePass shaded;
+  DepthPeeling peeling;
+  OverlayPass overlay;
+  std::optional<RenderTarget> target;
+  std::vector<SurfaceDraw> opaque, transparent;
+  RenderStats stats;
+};
+
+Renderer::Renderer(GlContext& context, int samples) {
+  if (samples < 1) throw std::invalid_argument("samples must be at least 1");
+  implementation_ = std::make_unique<Implementation>(context, samples);
+}
+
+Renderer::~Renderer() { implementation_->context.makeCurrent(); }
+
+void Renderer::Implementation::collectSurfaces(const DrawList& list) {
+  opaque.clear();
+  transparent.clear();
+  stats = {};
+  for (const DrawItem& item : list.items) {
+    GpuGeometry& gpu = geometries.find(*item.geometry);
+    stats.uploads += gpu.update(*item.geometry);
+    const SurfaceDraw surface{&item, &gpu};
+    (surface.transparent() ? transparent : opaque).push_back(surface);
+  }
+  geometries.collect();
+}
+
+void Renderer::Implementation::drawOpaque(const FrameUniforms& frame) {
+  target->bind(0);
+  gl.Viewport(0, 0, target->width(), target->height());
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthMask(GL_TRUE);
+  gl.DepthFunc(GL_LESS);
+  gl.ClearDepth(1);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  shaded.begin(frame);
+  for (const SurfaceDraw& surface : opaque) shaded.draw(surface);
+}
+
+void Renderer::draw(const DrawList& list, int width, int height) {
+  Implementation& self = *implementation_;
+  checkSize(width, height);
+  validate(list);
+  const Eigen::Matrix4f projection = projectionMatrix(list.camera, width, height);
+  self.context.makeCurrent();
+  self.collectSurfaces(list);
+  if (!self.target || self.target->width() != width || self.target->height() != height)
+    self.target.emplace(self.gl, width, height, self.samples);
+
+  const FrameUniforms frame{list.camera.view, projection, list.camera.orthographic.has_value(),
+                            self.lights.update(list), list.headlight};
+  self.drawOpaque(frame);
+  self.gl.DepthFunc(GL_LEQUAL);
+  self.background.draw(list.background, list.camera, width, height);
+  self.stats.transparentLayers = self.peeling.draw(*self.target, self.transparent, frame, self.shaded);
+  self.stats.draws =
+      static_cast<int>(self.opaque.size() + self.transparent.size() * (2 * self.stats.transparentLayers + 1));
+  self.target->resolve();
+  self.overlay.draw(list.overlay, width, height);
+}
+
+Image Renderer::readImage() {
+  if (!implementation_->target) throw std::logic_error("there is no picture before the first draw()");
+  implementation_->context.makeCurrent();
+  return implementation_->target->read();
+}
+
+void Renderer::present() {
+  if (!implementation_->target) throw std::logic_error("there is no picture before the first draw()");
+  implementation_->context.makeCurrent();
+  implementation_->target->present();
+}
+
+const RenderStats& Renderer::stats() const { return implementation_->stats; }
+
+}  // namespace pleura::render

@@ -1,0 +1,163 @@
+#pragma once
+
+namespace pleura::shaders {
+
+/// Vertices of items, to view space and to clip space. `invariant`, because depth peeling draws every surface
+/// twice and compares depths for equality.
+inline constexpr const char* surfaceVertex = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 color;
+uniform mat4 projection;
+uniform mat4 modelView;
+uniform mat3 normalMatrix;
+invariant gl_Position;
+out vec3 viewPosition;
+out vec3 viewNormal;
+out vec4 vertexColor;
+
+void main() {
+  vec4 p = modelView * vec4(position, 1);
+  viewPosition = p.xyz;
+  viewNormal = normalMatrix * normal;
+  vertexColor = color;
+  gl_Position = projection * p;
+}
+)";
+
+/// X3D 4.0 lighting (ISO/IEC 19775-1, 17.2.2.4), in view space, where the viewer is at the origin:
+/// I = O_E + sum over lights of attenuation * spot * I_L * (ambient + diffuse + specular).
+inline constexpr const char* surfaceFragment = R"(
+struct Light {
+  vec4 colorIntensity;
+  vec4 directionKind;       // kind: 0 directional, 1 point, 2 spot
+  vec4 locationRadius;
+  vec4 attenuationAmbient;
+  vec4 beamWidthCutOffAngle;
+};
+layout(std140) uniform Lights { Light lights[16]; };
+uniform int lightCount;
+uniform uint lightMask;
+uniform vec4 diffuseAlpha;
+uniform vec4 specularExponent;
+uniform vec4 emissiveAmbient;
+uniform bool lit;
+uniform bool faceted;
+uniform bool colored;
+uniform bool parallelView;
+in vec3 viewPosition;
+in vec3 viewNormal;
+in vec4 vertexColor;
+out vec4 pixel;
+
+vec3 surfaceNormal() {
+  if (faceted) return normalize(cross(dFdx(viewPosition), dFdy(viewPosition)));
+  vec3 n = viewNormal / max(length(viewNormal), 1e-20);
+  return gl_FrontFacing ? n : -n;
+}
+
+vec3 shine(Light light, vec3 N, vec3 V, vec3 diffuse) {
+  vec3 axis = light.directionKind.xyz;
+  vec3 L = -axis;
+  float strength = 1;
+  if (light.directionKind.w > 0) {
+    vec3 toLight = light.locationRadius.xyz - viewPosition;
+    float d = length(toLight);
+    L = toLight / max(d, 1e-20);
+    vec3 c = light.attenuationAmbient.xyz;
+    strength = d > light.locationRadius.w ? 0 : 1 / max(c.x + c.y * d + c.z * d * d, 1);
+  }
+  if (light.directionKind.w > 1) {
+    float beamWidth = light.beamWidthCutOffAngle.x, cutOffAngle = light.beamWidthCutOffAngle.y;
+    float spotAngle = acos(clamp(dot(-L, axis), -1, 1));
+    strength *= spotAngle <= beamWidth ? 1 : clamp((spotAngle - cutOffAngle) / min(beamWidth - cutOffAngle, -1e-6), 0, 1);
+  }
+  float NL = dot(N, L);
+  vec3 ambient = light.attenuationAmbient.w * emissiveAmbient.w * diffuse;
+  vec3 reflected = max(NL, 0) * diffuse;
+  if (NL > 0) reflected += specularExponent.rgb * pow(max(dot(N, normalize(L + V)), 0), specularExponent.a);
+  return strength * light.colorIntensity.rgb * (ambient + light.colorIntensity.a * reflected);
+}
+
+void main() {
+  vec4 diffuse = colored ? vertexColor : diffuseAlpha;
+  if (!lit) {
+    pixel = colored ? vertexColor : vec4(emissiveAmbient.rgb, diffuseAlpha.a);
+    return;
+  }
+  vec3 N = surfaceNormal(), V = parallelView ? vec3(0, 0, 1) : normalize(-viewPosition), I = emissiveAmbient.rgb;
+  for (int i = 0; i < lightCount; ++i)
+    if ((lightMask >> uint(i) & 1u) != 0u) I += shine(lights[i], N, V, diffuse.rgb);
+  pixel = vec4(min(I, 1), diffuse.a);
+}
+)";
+
+/// Lets pass what lies in front of the layer peeled before, sample by sample.
+inline constexpr const char* peelFragment = R"(
+uniform sampler2DMS previousDepth;
+
+void main() {
+  if (gl_FragCoord.z >= texelFetch(previousDepth, ivec2(gl_FragCoord.xy), SAMPLE).r) discard;
+}
+)";
+
+/// A triangle over the whole picture, at the far plane, with no vertex data.
+inline constexpr const char* backgroundVertex = R"(
+uniform vec2 tangents;  // of half the picture's width and height
+uniform mat3 rotation;  // view to background space
+out vec3 direction;
+
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1);
+  direction = rotation * vec3(corner * tangents, -1);
+  gl_Position = vec4(corner, 1, 1);
+}
+)";
+
+inline constexpr const char* backgroundFragment = R"(
+uniform int skyCount;
+uniform int groundCount;
+uniform vec4 sky[STOPS];     // colour and the angle from the zenith where it is pure
+uniform vec4 ground[STOPS];  // colour and the angle from the nadir
+in vec3 direction;
+out vec4 pixel;
+
+vec3 mixBetween(vec4 a, vec4 b, float angle) {
+  return mix(a.rgb, b.rgb, clamp((angle - a.a) / max(b.a - a.a, 1e-6), 0, 1));
+}
+
+void main() {
+  float fromZenith = acos(clamp(direction.y / length(direction), -1, 1)), fromNadir = 3.14159265 - fromZenith;
+  vec3 color = sky[0].rgb;
+  for (int i = 1; i < skyCount; ++i)
+    if (fromZenith >= sky[i - 1].a) color = mixBetween(sky[i - 1], sky[i], fromZenith);
+  for (int i = 1; i < groundCount; ++i)
+    if (fromNadir >= ground[i - 1].a && fromNadir <= ground[groundCount - 1].a)
+      color = mixBetween(ground[i - 1], ground[i], fromNadir);
+  pixel = vec4(color, 1);
+}
+)";
+
+/// A textured rectangle in pixels, from the picture's top left corner.
+inline constexpr const char* overlayVertex = R"(
+uniform vec4 rectangle;  // left, top, width, height
+uniform vec2 picture;
+out vec2 texel;
+
+void main() {
+  texel = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  vec2 p = (rectangle.xy + texel * rectangle.zw) / picture;
+  gl_Position = vec4(2 * p.x - 1, 1 - 2 * p.y, 0, 1);
+}
+)";
+
+inline constexpr const char* overlayFragment = R"(
+uniform sampler2D coverage;
+uniform vec4 color;
+in vec2 texel;
+out vec4 pixel;
+
+void main() { pixel = vec4(color.rgb, color.a * texture(coverage, texel).r); }
+)";
+
+}  // namespace pleura::shaders

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <pleura/x3d/browser/render/background_pass.h>
+#include <pleura/x3d/browser/render/validate.h>
+
+namespace pleura::render {
+namespace {
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::invalid_argument(what);
+}
+
+template <class Value>
+void requireFinite(const Value& value, const char* name) {
+  require(Eigen::Matrix<float, -1, -1>(value).allFinite(), fmt::format("{} is not finite", name));
+}
+
+void requireFinite(float value, const char* name) {
+  require(std::isfinite(value), fmt::format("{} is not finite", name));
+}
+
+void requireFraction(float value, const char* name) {
+  require(value >= 0 && value <= 1, fmt::format("{} is {}, outside [0, 1]", name, value));
+}
+
+void check(const DrawItem& item) {
+  require(item.geometry != nullptr, "item.geometry is null");
+  requireFinite(item.model, "item.model");
+  const Material& m = item.material;
+  requireFinite(m.diffuseColor, "material.diffuseColor");
+  requireFinite(m.specularColor, "material.specularColor");
+  requireFinite(m.emissiveColor, "material.emissiveColor");
+  requireFraction(m.ambientIntensity, "material.ambientIntensity");
+  requireFraction(m.shininess, "material.shininess");
+  requireFraction(m.transparency, "material.transparency");
+  require(item.size > 0 && std::isfinite(item.size), "item.size must be above 0");
+}
+
+void check(const Light& light) {
+  requireFinite(light.color, "light.color");
+  requireFinite(light.intensity, "light.intensity");
+  requireFinite(light.ambientIntensity, "light.ambientIntensity");
+  requireFinite(light.direction, "light.direction");
+  requireFinite(light.location, "light.location");
+  requireFinite(light.attenuation, "light.attenuation");
+  requireFinite(light.radius, "light.radius");
+  requireFinite(light.beamWidth, "light.beamWidth");
+  requireFinite(light.cutOffAngle, "light.cutOffAngle");
+}
+
+void checkStops(const std::vector<Eigen::Vector3f>& colors, const std::vector<float>& angles,
+                const char* name) {
+  require(colors.size() <= BackgroundPass::maxStops,
+          fmt::format("background.{}Color has {} colors, more than {}", name, colors.size(),
+                      BackgroundPass::maxStops));
+  require(angles.size() + 1 == colors.size() || (angles.empty() && colors.empty()),
+          fmt::format("background.{0}Color needs one value more than {0}Angle", name));
+  for (const Eigen::Vector3f& color : colors) requireFinite(color, "background colour");
+  for (const float angle : angles) requireFinite(angle, "background angle");
+  require(std::ranges::is_sorted(angles), fmt::format("background.{}Angle does not rise", name));
+}
+
+}  // namespace
+
+void validate(const DrawList& list) {
+  for (const DrawItem& item : list.items) check(item);
+  require(list.lights.size() <= maxLights,
+          fmt::format("there are {} lights, more than {}", list.lights.size(), maxLights));
+  for (const Light& light : list.lights) check(light);
+  requireFinite(list.camera.view, "camera.view");
+  require(!list.background.skyColor.empty(), "background.skyColor is empty");
+  checkStops(list.background.skyColor, list.background.skyAngle, "sky");
+  checkStops(list.background.groundColor, list.background.groundAngle, "ground");
+  requireFinite(list.background.rotation, "background.rotation");
+  for (const OverlayText& text : list.overlay) {
+    require(text.size >= 4 && text.size <= 512, "overlay.size is outside [4, 512]");
+    requireFinite(text.color, "overlay.color");
+    require(std::isfinite(text.x) && std::isfinite(text.y), "overlay position is not finite");
+  }
+}
+
+}  // namespace pleura::render

@@ -1,0 +1,44 @@
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include <pleura/x3d/browser/scene/playback.h>
+
+namespace pleura {
+
+Playback::Playback(Scene& scene, const PlaybackOptions& options)
+    : scene_(scene), step_(options.step), keys_(parseKeys(options.keys)), table_(scene, options.watch) {
+  if (!std::isfinite(step_) || step_ < 1e-6 || step_ > 1e3)
+    throw std::invalid_argument("step: expected 1e-6 to 1e3 seconds");
+  for (const auto& assignment : options.set) scene.set(assignment);
+  if (options.csv.empty()) return;
+  csv_.open(options.csv);
+  if (!csv_) throw FileError(options.csv.string() + ": can't be written");
+}
+
+void Playback::runUntil(Time time, const std::function<void(Time)>& afterTick) {
+  const auto last = static_cast<std::int64_t>(std::floor(time / step_ + 1e-9));
+  while (ticks_ < last) {
+    ++ticks_;
+    tick(now(), afterTick);
+  }
+}
+
+void Playback::tick(Time now, const std::function<void(Time)>& afterTick) {
+  for (; nextKey_ < keys_.size() && keys_[nextKey_].time <= now; ++nextKey_) {
+    KeyEvent event{.character = keys_[nextKey_].key};
+    scene_.key(event);
+    event.pressed = false;
+    scene_.key(event);
+  }
+  statistics_.begin();
+  scene_.tick(now);
+  if (afterTick) afterTick(now);
+  if (csv_.is_open()) {
+    if (ticks_ == 0) table_.writeHeader(csv_);
+    table_.writeRow(csv_, now);
+  }
+  statistics_.end();
+}
+
+}  // namespace pleura

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pleura/x3d/browser/scene/key_script.h>
+#include <pleura/x3d/browser/scene/scene.h>
+#include <pleura/x3d/browser/scene/tick_statistics.h>
+#include <pleura/x3d/browser/scene/watch_table.h>
+
+namespace pleura {
+
+/// What `run` and `render` are asked to do with a scene.
+struct PlaybackOptions {
+  double step = 1.0 / 30;          // [s] of the virtual clock
+  std::vector<std::string> set;    // "DEF.field=VALUE", before the first tick
+  std::string keys;                // see parseKeys
+  std::vector<std::string> watch;  // "DEF.field"
+  std::filesystem::path csv;       // where the watched fields go; empty: nowhere
+};
+
+/// A scene moved along by a virtual clock from time 0: keys at their times, a row of the table a step, costs
+/// counted. Ticks are at k * step, so that nothing drifts and every run is the same.
+class Playback {
+ public:
+  /// Throws std::invalid_argument, UnknownNameError, FieldError, FileError for options that do not fit the
+  /// scene.
+  Playback(Scene& scene, const PlaybackOptions& options);
+
+  /// Ticks until `time` [s] inclusive. `afterTick` sees the scene at each, within the tick's measured cost;
+  /// what it reads is what the scene computes.
+  void runUntil(Time time, const std::function<void(Time)>& afterTick = {});
+
+  Time now() const { return static_cast<double>(ticks_) * step_; }
+  const TickStatistics& statistics() const { return statistics_; }
+
+ private:
+  void tick(Time now, const std::function<void(Time)>& afterTick);
+
+  Scene& scene_;
+  double step_;
+  std::vector<TimedKey> keys_;
+  std::size_t nextKey_ = 0;
+  WatchTable table_;
+  std::ofstream csv_;
+  std::int64_t ticks_ = -1;
+  TickStatistics statistics_;
+};
+
+}  // namespace pleura

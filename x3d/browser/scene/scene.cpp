@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <pleura/fields/errors.h>
+#include <pleura/fields/periodic_update.h>
+#include <pleura/nodes/standard/register.h>
+#include <pleura/x3d/browser/scene/scene.h>
+
+namespace pleura {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, std::string_view name,
+                         const std::vector<std::string_view>& known) {
+  const std::string nearest = nearestName(name, known);
+  throw UnknownNameError(what + (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+}
+
+}  // namespace
+
+Scene::Scene() { registerStandardNodes(registry_); }
+
+void Scene::load(const std::filesystem::path& file, ReaderLimits limits) {
+  file_ = file.string();
+  document_ = Reader(registry_, plugins_, *this, diagnostics_, limits).readFile(file);
+}
+
+void Scene::tick(Time now) {
+  time.setValue(now);
+  PeriodicFields::upToDate();
+}
+
+void Scene::key(const KeyEvent& event) {
+  const auto listeners = keyListeners_;
+  for (auto* listener : listeners)
+    if (std::find(keyListeners_.begin(), keyListeners_.end(), listener) != keyListeners_.end())
+      listener->onKey(event);
+}
+
+Node& Scene::node(std::string_view def) const {
+  const auto found = document_.names.find(def);
+  if (found != document_.names.end()) return *found->second;
+  std::vector<std::string_view> known;
+  for (const auto& [name, node] : document_.names) known.push_back(name);
+  refuse(fmt::format("the scene has no node {}", def), def, known);
+}
+
+Field& Scene::field(std::string_view path) const {
+  const auto dot = path.rfind('.');
+  if (dot == std::string_view::npos) throw UnknownNameError(fmt::format("{}: expected DEF.field", path));
+  Node& owner = node(path.substr(0, dot));
+  const std::string_view name = path.substr(dot + 1);
+  if (Field* found = owner.getField(name)) return *found;
+  std::vector<std::string_view> known;
+  for (const auto& declared : owner.type().fields()) known.push_back(declared->name);
+  refuse(fmt::format("{} ({}) has no field {}", owner.describe(), owner.type().name(), name), name, known);
+}
+
+void Scene::set(std::string_view assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    throw UnknownNameError(fmt::format("{}: expected DEF.field=VALUE", assignment));
+  Field& target = field(assignment.substr(0, equals));
+  try {
+    target.setValueFromString(assignment.substr(equals + 1));
+  } catch (const FieldParseError& bad) {
+    throw FieldError(fmt::format("{}: expected {} ({})", assignment, bad.what(), target.getTypeName()));
+  }
+}
+
+void Scene::warn(const Node& node, const std::string& message) {
+  diagnostics_.warn({file_}, node.describe() + ": " + message);
+}
+
+}  // namespace pleura

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include <pleura/x3d/encoding/document.h>
+#include <pleura/x3d/encoding/reader.h>
+#include <pleura/x3d/encoding/sax_parser.h>
+
+namespace pleura {
+
+/// Makes a Document from the elements of one file.
+class DocumentBuilder : public ElementHandler {
+ public:
+  DocumentBuilder(Reader& reader, const SourceText& source, std::filesystem::path folder)
+      : reader_(reader), source_(source), folder_(std::move(folder)) {}
+
+  void startElement(std::string_view name, const std::vector<Attribute>& attributes,
+                    std::size_t end) override;
+  void endElement() override;
+
+  /// To be called once, after the last element: makes the routes.
+  Document finish();
+
+ private:
+  using Attributes = std::vector<Attribute>;
+
+  /// An element that is open.
+  struct Open {
+    enum class Kind { structure, statement, node, skipped };
+    Kind kind = Kind::structure;
+    NodePtr node = nullptr;  // Kind::node
+    std::string containerField = {};
+    std::size_t tag = 0;  // where it stands
+    bool isUse = false;
+  };
+
+  /// How far a node reaches below itself, each USE counted as a copy.
+  struct Extent {
+    int depth = 1;
+    std::size_t nodes = 1;
+  };
+
+  struct PendingRoute {
+    RouteStatement route;
+    std::size_t tag;
+  };
+
+  Open open(std::string_view name, const Attributes& attributes, std::size_t tag);
+  bool openStatement(std::string_view name, const Attributes& attributes, std::size_t tag);
+  Open openNode(std::string_view name, const Attributes& attributes, std::size_t tag);
+  Open useNode(std::string_view def, const Attributes& attributes, std::size_t tag);
+  void setFields(Node& node, const Attributes& attributes, std::size_t tag);
+  void setField(Node& node, const Attribute& attribute, std::size_t tag);
+  void define(const std::string& def, const NodePtr& node, std::size_t tag);
+
+  void closeNode(const Open& closed);
+  void place(const Open& child);
+  void grow(const NodePtr& parent, const Open& child);
+  /// Where a relative url leads; nothing where the file may not read.
+  std::optional<std::filesystem::path> pathOf(const std::string& url) const;
+  void loadInline(const Open& opened);
+
+  void addComponent(const Attributes& attributes);
+  void addUnit(const Attributes& attributes, std::size_t tag);
+  void addRoute(const Attributes& attributes, std::size_t tag);
+  void addImport(const Attributes& attributes, std::size_t tag);
+  void addExport(const Attributes& attributes, std::size_t tag);
+  void importLibrary(const Attributes& attributes, std::size_t tag);
+  void makeRoute(const PendingRoute& pending);
+  Field* routeEnd(const std::string& nodeName, const std::string& fieldName, std::size_t tag);
+
+  double scaleOf(const FieldDeclaration& field) const;
+  std::vector<std::string_view> knownNames() const;
+  void warn(std::size_t offset, std::string message);
+  void error(std::size_t offset, std::string message);
+
+  Reader& reader_;
+  const SourceText& source_;
+  std::filesystem::path folder_;
+  Document document_;
+  std::vector<Open> open_;
+  std::vector<PendingRoute> routes_;
+  std::unordered_map<const Node*, Extent> extents_;
+  std::unordered_map<const Node*, Document> inlined_;
+  std::set<std::string, std::less<>> told_;  // what is warned of once a file
+};
+
+}  // namespace pleura

@@ -1,0 +1,206 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include <pleura/fields/errors.h>
+#include <pleura/fields/text.h>
+#include <pleura/nodes/standard/networking/inline.h>
+#include <pleura/x3d/encoding/document_builder.h>
+
+// The statements of a file: what is no node.
+namespace pleura {
+
+namespace {
+
+std::string text(const std::vector<Attribute>& attributes, std::string_view name) {
+  for (const auto& attribute : attributes)
+    if (attribute.name == name) return std::string(attribute.value);
+  return {};
+}
+
+std::string suggestion(const std::string& nearest) {
+  return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
+}
+
+}  // namespace
+
+void DocumentBuilder::addComponent(const Attributes& attributes) {
+  const std::string level = text(attributes, "level");
+  document_.components.emplace_back(text(attributes, "name"), level.empty() ? 1 : std::atoi(level.c_str()));
+}
+
+void DocumentBuilder::addUnit(const Attributes& attributes, std::size_t tag) {
+  UnitStatement unit{text(attributes, "category"), text(attributes, "name"), 1};
+  constexpr std::string_view kCategories[] = {"angle", "force", "length", "mass"};
+  const std::size_t at = source_.tagBefore(tag);
+  if (std::find(std::begin(kCategories), std::end(kCategories), unit.category) == std::end(kCategories))
+    return error(at,
+                 fmt::format("unit: category is angle, force, length or mass, not \"{}\"", unit.category));
+  try {
+    const std::string factor = text(attributes, "conversionFactor");
+    TextReader(factor).read(unit.factor);
+  } catch (const FieldParseError&) {
+    unit.factor = 0;
+  }
+  if (!(unit.factor > 0))
+    return error(source_.attributeValue(at, "conversionFactor"),
+                 "unit: conversionFactor is a number above 0");
+  document_.units.push_back(unit);
+}
+
+void DocumentBuilder::addRoute(const Attributes& attributes, std::size_t tag) {
+  RouteStatement route{text(attributes, "fromNode"), text(attributes, "fromField"),
+                       text(attributes, "toNode"), text(attributes, "toField")};
+  document_.routes.push_back(route);
+  routes_.push_back({std::move(route), tag});
+}
+
+void DocumentBuilder::addExport(const Attributes& attributes, std::size_t tag) {
+  const std::string def = text(attributes, "localDEF");
+  if (def.empty()) return error(source_.tagBefore(tag), "EXPORT: localDEF is missing");
+  const std::string as = text(attributes, "AS");
+  document_.exports.emplace_back(def, as.empty() ? def : as);
+}
+
+void DocumentBuilder::addImport(const Attributes& attributes, std::size_t tag) {
+  const std::size_t at = source_.tagBefore(tag);
+  ImportStatement import{text(attributes, "inlineDEF"), text(attributes, "importedDEF"),
+                         text(attributes, "AS")};
+  if (import.node.empty() && !text(attributes, "exportedDEF").empty()) {
+    import.node = text(attributes, "exportedDEF");
+    if (told_.insert("exportedDEF").second)
+      warn(source_.attributeValue(at, "exportedDEF"),
+           "IMPORT: exportedDEF is read as importedDEF, its standard name");
+  }
+  if (import.as.empty()) import.as = import.node;
+  document_.imports.push_back(import);
+  const auto inlineNode = document_.names.find(import.inlineName);
+  const auto inner =
+      inlineNode != document_.names.end() ? inlined_.find(inlineNode->second.get()) : inlined_.end();
+  if (inner == inlined_.end())
+    return error(source_.attributeValue(at, "inlineDEF"),
+                 fmt::format("IMPORT: no Inline {} that was loaded stands before{}", import.inlineName,
+                             suggestion(nearestName(import.inlineName, knownNames()))));
+  const Document& from = inner->second;
+  const auto exported = std::find_if(from.exports.begin(), from.exports.end(),
+                                     [&](const auto& pair) { return pair.second == import.node; });
+  const auto node = exported != from.exports.end() ? from.names.find(exported->first) : from.names.end();
+  if (node == from.names.end()) {
+    std::vector<std::string_view> known;
+    for (const auto& [def, as] : from.exports) known.push_back(as);
+    return error(source_.attributeValue(at, "importedDEF"),
+                 fmt::format("IMPORT: {} exports no {}{}", import.inlineName, import.node,
+                             suggestion(nearestName(import.node, known))));
+  }
+  if (const auto [known, isNew] = document_.names.emplace(import.as, node->second);
+      !isNew && known->second != node->second)
+    warn(at, fmt::format("IMPORT: {} is the name of another node here, which keeps it", import.as));
+}
+
+void DocumentBuilder::importLibrary(const Attributes& attributes, std::size_t tag) {
+  const std::size_t at = source_.tagBefore(tag);
+  const std::string given =
+      text(attributes, "library").empty() ? text(attributes, "url") : text(attributes, "library");
+  std::vector<std::string> libraries;
+  try {
+    TextReader reader(given);
+    while (given.find('"') != std::string::npos && !reader.atEnd()) reader.read(libraries.emplace_back());
+  } catch (const FieldParseError&) {
+    return error(at, "ImportLibrary: library is a list of names in double quotes");
+  }
+  if (libraries.empty()) libraries.push_back(given);
+  for (const auto& library : libraries) {
+    document_.libraries.push_back(library);
+    try {
+      reader_.plugins_.load(library, reader_.registry_);
+    } catch (const PluginError& bad) {
+      error(at, fmt::format("ImportLibrary: {}", bad.what()));
+    }
+  }
+}
+
+std::optional<std::filesystem::path> DocumentBuilder::pathOf(const std::string& url) const {
+  constexpr std::string_view kAnatomy = "anatomy/";
+  const auto& elsewhere = reader_.limits_.anatomyFolder;
+  const bool isMoved = !elsewhere.empty() && url.starts_with(kAnatomy);
+  const auto path = isMoved ? elsewhere / url.substr(kAnatomy.size()) : folder_ / url;
+  std::error_code ignored;
+  const auto file = std::filesystem::weakly_canonical(path, ignored);
+  const auto isBelow = [&](const std::filesystem::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+  };
+  const bool isAllowed =
+      reader_.limits_.outsideFolder || isBelow(reader_.root_) ||
+      (!elsewhere.empty() && isBelow(std::filesystem::weakly_canonical(elsewhere, ignored)));
+  return isAllowed ? std::optional(path) : std::nullopt;
+}
+
+void DocumentBuilder::loadInline(const Open& opened) {
+  auto& node = dynamic_cast<Inline&>(*opened.node);
+  if (!node.load.getValue()) return;
+  const std::size_t at = source_.attributeValue(source_.tagBefore(opened.tag), "url");
+  const auto& urls = node.url.getValue();
+  std::string tried;
+  for (const auto& url : urls) {
+    tried += (tried.empty() ? "" : ", ") + url;
+    if (url.find("://") != std::string::npos) continue;
+    const auto path = pathOf(url);
+    if (!path)
+      return error(at, fmt::format("{}.url: {} is outside the scene's folder, which is not allowed",
+                                   node.describe(), url));
+    std::error_code ignored;
+    const auto file = std::filesystem::weakly_canonical(*path, ignored);
+    if (!std::filesystem::exists(file, ignored)) continue;
+    if (std::find(reader_.reading_.begin(), reader_.reading_.end(), file) != reader_.reading_.end())
+      return error(at, fmt::format("{}.url: {} inlines itself", node.describe(), url));
+    if (reader_.reading_.size() >= static_cast<std::size_t>(reader_.limits_.inlineDepth))
+      return error(
+          at, fmt::format("{}.url: {} files inline one another", node.describe(), reader_.reading_.size()));
+    Document inner = reader_.readFile(*path);
+    node.contents.setValue(inner.nodes);
+    inlined_.emplace(opened.node.get(), std::move(inner));
+    return;
+  }
+  error(at, fmt::format("{}.url: nothing to load ({})", node.describe(),
+                        tried.empty() ? "no url" : tried + " not found"));
+}
+
+Field* DocumentBuilder::routeEnd(const std::string& nodeName, const std::string& fieldName, std::size_t tag) {
+  const std::size_t at = source_.tagBefore(tag);
+  const auto node = document_.names.find(nodeName);
+  if (node == document_.names.end()) {
+    error(at, fmt::format("ROUTE: no node {}{}", nodeName, suggestion(nearestName(nodeName, knownNames()))));
+    return nullptr;
+  }
+  Field* field = node->second->getField(fieldName);
+  if (field == nullptr) {
+    std::vector<std::string_view> known;
+    for (const auto& each : node->second->type().fields()) known.push_back(each->name);
+    error(at, fmt::format("ROUTE: {} ({}) has no field {}{}", nodeName, node->second->type().name(),
+                          fieldName, suggestion(nearestName(fieldName, known))));
+  }
+  return field;
+}
+
+void DocumentBuilder::makeRoute(const PendingRoute& pending) {
+  const auto& route = pending.route;
+  Field* from = routeEnd(route.fromNode, route.fromField, pending.tag);
+  Field* to = routeEnd(route.toNode, route.toField, pending.tag);
+  if (from == nullptr || to == nullptr) return;
+  // The first event is a value that the target has missed. Between an output and an input it would be a
+  // command that nobody gave.
+  const bool isCommand =
+      from->getAccessType() == Access::outputOnly && to->getAccessType() == Access::inputOnly;
+  try {
+    isCommand ? from->routeNoEvent(*to) : from->route(*to);
+  } catch (const RouteError& bad) {
+    error(source_.tagBefore(pending.tag), bad.what());
+  }
+}
+
+Document DocumentBuilder::finish() {
+  for (const auto& pending : routes_) makeRoute(pending);
+  return std::move(document_);
+}
+
+}  // namespace pleura

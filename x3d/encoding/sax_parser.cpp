@@ -1,0 +1,112 @@
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <fmt/format.h>
+#include <libxml/SAX2.h>
+#include <libxml/parser.h>
+#include <libxml/parserInternals.h>
+
+#include <pleura/x3d/encoding/sax_parser.h>
+
+namespace pleura {
+
+namespace {
+
+struct Parse {
+  const SourceText& source;
+  ElementHandler& handler;
+  Diagnostics& diagnostics;
+  int deepest;
+  xmlParserCtxt* parser = nullptr;
+  int depth = 0;
+  bool toldDepth = false;
+  std::vector<Attribute> attributes;
+};
+
+std::string_view view(const xmlChar* text) { return reinterpret_cast<const char*>(text); }
+
+/// libxml2 gives five pointers an attribute: local name, prefix, URI, begin and end of the value.
+void onStart(void* user, const xmlChar* name, const xmlChar*, const xmlChar*, int, const xmlChar**, int count,
+             int, const xmlChar** given) {
+  auto& parse = *static_cast<Parse*>(user);
+  const auto end = static_cast<std::size_t>(std::max(0L, xmlByteConsumed(parse.parser)));
+  if (++parse.depth > parse.deepest) {
+    if (!parse.toldDepth)
+      parse.diagnostics.error(
+          parse.source.placeAt(parse.source.tagBefore(end)),
+          fmt::format("elements are nested more than {} deep: what is below is left out", parse.deepest));
+    parse.toldDepth = true;
+    return;
+  }
+  parse.attributes.clear();
+  for (int i = 0; i < count; ++i, given += 5) {
+    if (given[1] != nullptr) continue;  // of another namespace
+    const auto* begin = reinterpret_cast<const char*>(given[3]);
+    parse.attributes.push_back({view(given[0]), {begin, static_cast<std::size_t>(given[4] - given[3])}});
+  }
+  parse.handler.startElement(view(name), parse.attributes, end);
+}
+
+void onEnd(void* user, const xmlChar*, const xmlChar*, const xmlChar*) {
+  auto& parse = *static_cast<Parse*>(user);
+  if (parse.depth-- <= parse.deepest) parse.handler.endElement();
+}
+
+void onError(void* user, xmlError* error) {
+  auto& parse = *static_cast<Parse*>(user);
+  // SAX parsing without a tree has no namespaces in scope to check, and X3D has none.
+  if (error->domain == XML_FROM_NAMESPACE) return;
+  std::string message = error->message != nullptr ? error->message : "not well-formed";
+  while (!message.empty() && (message.back() == '\n' || message.back() == '.')) message.pop_back();
+  Place place{parse.source.name(), error->line, error->int2};
+  constexpr int kLibxmlLineLimit = 65535;
+  if (error->line >= kLibxmlLineLimit)
+    place = parse.source.placeAt(static_cast<std::size_t>(std::max(0L, xmlByteConsumed(parse.parser))));
+  if (error->level <= XML_ERR_WARNING) return parse.diagnostics.warn(place, "XML: " + message);
+  parse.diagnostics.error(place, "XML: " + message);
+}
+
+void initializeLibxml() {
+  static std::once_flag once;
+  std::call_once(once, xmlInitParser);
+}
+
+}  // namespace
+
+void parseXml(const SourceText& source, ElementHandler& handler, Diagnostics& diagnostics, int deepest) {
+  initializeLibxml();
+  const std::string& text = source.text();
+  if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    return diagnostics.error({source.name()}, "larger than 2 GB");
+
+  Parse parse{source, handler, diagnostics, deepest, nullptr, 0, false, {}};
+  xmlSAXHandler sax{};
+  sax.initialized = XML_SAX2_MAGIC;
+  sax.startElementNs = onStart;
+  sax.endElementNs = onEnd;
+  sax.serror = onError;
+  sax.getEntity = [](void*, const xmlChar* name) { return xmlGetPredefinedEntity(name); };
+
+  const std::unique_ptr<xmlParserCtxt, void (*)(xmlParserCtxt*)> parser(xmlNewParserCtxt(),
+                                                                        xmlFreeParserCtxt);
+  if (!parser) throw std::bad_alloc();
+  parse.parser = parser.get();
+  *parser->sax = sax;
+  parser->userData = &parse;
+  xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_BIG_LINES);
+  parser->userData = &parse;
+  auto* input =
+      xmlParserInputBufferCreateStatic(text.data(), static_cast<int>(text.size()), XML_CHAR_ENCODING_NONE);
+  if (input == nullptr) throw std::bad_alloc();
+  auto* stream = xmlNewIOInputStream(parser.get(), input, XML_CHAR_ENCODING_NONE);
+  if (stream == nullptr) {
+    xmlFreeParserInputBuffer(input);
+    throw std::bad_alloc();
+  }
+  inputPush(parser.get(), stream);
+  xmlParseDocument(parser.get());
+}
+
+}  // namespace pleura
