@@ -64,14 +64,14 @@ DiaphragmMotion::DiaphragmMotion(const Diaphragm& diaphragm, const Sides& sides,
   fill_ = HarmonicFill(diaphragm.mesh, driven_);
 }
 
-void DiaphragmMotion::move(const Sides& sides, const WallsNow& walls, double inflation,
+void DiaphragmMotion::move(const Sides& sides, const WallsNow& walls, double contraction,
                            std::span<Eigen::Vector3f> points) {
-  const BodyDisplacement tendon = displacementOf(tendonMotion(dome_, tendonCentre_, inflation));
+  const BodyDisplacement tendon = displacementOf(tendonMotion(dome_, tendonCentre_, contraction));
   for (const int i : tendon_) {
     displacement_[static_cast<std::size_t>(i)] = tendon * rest_[static_cast<std::size_t>(i)].homogeneous();
   }
   for (std::size_t side = 0; side < 2; ++side) {
-    displaceFollowers(sides[side], walls[side], onWall_[side], inflation, displacement_);
+    displaceFollowers(sides[side], walls[side], onWall_[side], contraction, displacement_);
   }
   fill_.fill(displacement_);
   for (std::size_t i = 0; i < rest_.size(); ++i) points[i] = rest_[i] + displacement_[i].head<3>();

@@ -1,5 +1,7 @@
 #include <pleura/nodes/thorax/motion/hemithorax.h>
 
+#include <pleura/nodes/thorax/motion/wall_inset.h>
+
 #include <stdexcept>
 
 namespace pleura {
@@ -84,19 +86,21 @@ const Lung& lungOf(const Anatomy& anatomy, Side side) {
 Hemithorax buildHemithorax(const Anatomy& anatomy, const CageMotion& cage, Side side, double foldDrop) {
   const HemithoraxAxis axis = axisOf(anatomy, side);
   const double apex = axis.coordinates(lungOf(anatomy, side).apex.cast<double>()).height;
+  const std::vector<WallBody> bodies = bodiesOf(anatomy, cage, side);
   Hemithorax half;
-  half.wall = buildPleuralWall(axis, bodiesOf(anatomy, cage, side), apex + kCupolaAboveApex);
+  half.wall = buildPleuralWall(axis, bodies, apex + kCupolaAboveApex);
+  setInset(half.wall, bodies, displacementsOf(cage.bodies(1.0)));
   half.slide = slideOnWall(half.wall, ring(anatomy.diaphragm, side, kFoldLevel),
                            ring(anatomy.diaphragm, side, kRimLevel), foldDrop);
   return half;
 }
 
 void displaceFollowers(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-                       std::span<const WallFollower> followers, double inflation,
+                       std::span<const WallFollower> followers, double contraction,
                        std::span<Eigen::Vector4f> displacement) {
   for (const WallFollower& f : followers) {
     displacement[static_cast<std::size_t>(f.index)] =
-        followWall(half.wall, wallNow, half.slide, f.place, inflation) - f.place.rest;
+        followWall(half.wall, wallNow, half.slide, f.place, contraction) - f.place.rest;
   }
 }
 

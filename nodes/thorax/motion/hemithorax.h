@@ -28,7 +28,7 @@ struct WallFollower {
 
 /// Writes displacement[index] [m] of every follower; `wallNow` is the moved grid.
 void displaceFollowers(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-                       std::span<const WallFollower> followers, double inflation,
+                       std::span<const WallFollower> followers, double contraction,
                        std::span<Eigen::Vector4f> displacement);
 
 }  // namespace pleura

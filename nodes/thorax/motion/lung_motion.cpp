@@ -40,9 +40,9 @@ LungMotion::LungMotion(const Lung& lung, const Hemithorax& half, const TriangleM
 }
 
 void LungMotion::move(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-                      std::span<const Eigen::Vector3f> diaphragmNow, double inflation,
+                      std::span<const Eigen::Vector3f> diaphragmNow, double contraction,
                       std::span<Eigen::Vector3f> points) {
-  displaceFollowers(half, wallNow, onWall_, inflation, displacement_);
+  displaceFollowers(half, wallNow, onWall_, contraction, displacement_);
   for (const DiaphragmFollower& f : onDiaphragm_) {
     displacement_[static_cast<std::size_t>(f.index)].head<3>() = footOf(f, diaphragmNow) - f.foot;
   }

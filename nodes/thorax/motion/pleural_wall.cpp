@@ -180,6 +180,7 @@ PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBod
   wall.rest.assign(PleuralWall::kColumns * PleuralWall::kRows, axis.origin.cast<float>().homogeneous());
   wall.inward.assign(wall.rest.size(), Eigen::Vector4f::Zero());
   wall.weights.resize(wall.rest.size());
+  wall.inset.assign(wall.rest.size(), 0.0f);
   for (int column = 0; column < PleuralWall::kColumns; ++column) {
     const double azimuth = -std::numbers::pi + 2.0 * std::numbers::pi * column / PleuralWall::kColumns;
     Profile section;
@@ -197,9 +198,30 @@ PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBod
   return wall;
 }
 
-void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements,
+std::vector<Eigen::Vector3i> wallTriangles(const PleuralWall& wall) {
+  std::vector<Eigen::Vector3i> triangles;
+  const bool left = wall.axis.lateral.x() > 0.0;  // the sense of azimuth mirrors with the side
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const Eigen::Vector3i t(static_cast<int>(a), static_cast<int>(b), static_cast<int>(c));
+    triangles.push_back(left ? t : Eigen::Vector3i(t[0], t[2], t[1]));
+  };
+  for (int c = 0; c < PleuralWall::kColumns; ++c) {
+    const int d = PleuralWall::next(c);
+    if (wall.open(c) || wall.open(d)) continue;
+    for (int r = 0; r + 1 < PleuralWall::kRows; ++r) {
+      add(PleuralWall::index(c, r), PleuralWall::index(d, r), PleuralWall::index(c, r + 1));
+      add(PleuralWall::index(d, r), PleuralWall::index(d, r + 1), PleuralWall::index(c, r + 1));
+    }
+  }
+  return triangles;
+}
+
+void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements, double inflation,
               std::span<Eigen::Vector4f> now) {
-  for (std::size_t i = 0; i < wall.rest.size(); ++i) now[i] = carry(wall.rest[i], wall.weights[i], displacements);
+  const auto i = static_cast<float>(inflation);
+  for (std::size_t k = 0; k < wall.rest.size(); ++k) {
+    now[k] = carry(wall.rest[k], wall.weights[k], displacements) + i * wall.inset[k] * wall.inward[k];
+  }
 }
 
 }  // namespace pleura

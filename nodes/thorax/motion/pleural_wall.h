@@ -44,6 +44,7 @@ struct PleuralWall {
   std::vector<Eigen::Vector4f> rest;    // [kColumns * kRows], (x, y, z, 1), m
   std::vector<Eigen::Vector4f> inward;  // (unit normal at rest, 0), into the cavity
   std::vector<BodyWeights> weights;     // what carries each point
+  std::vector<float> inset;             // [m] inwards at inflation 1, see wall_inset.h
 
   bool open(int column) const { return spacing[static_cast<std::size_t>(column)] == 0.0; }
   static int next(int column) { return (column + 1) % kColumns; }
@@ -57,8 +58,11 @@ struct PleuralWall {
 /// std::invalid_argument when a body's weights are not one a point.
 PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBody> bodies, double cupola);
 
+/// The grid's triangles, facing inwards.
+std::vector<Eigen::Vector3i> wallTriangles(const PleuralWall& wall);
+
 /// Where the wall is now: `now` has the shape of wall.rest; the weights refer to `displacements`.
-void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements,
+void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements, double inflation,
               std::span<Eigen::Vector4f> now);
 
 }  // namespace pleura

@@ -19,10 +19,11 @@ ThoraxMotion::ThoraxMotion(const Anatomy& anatomy, const DomeMotion& dome, const
 void ThoraxMotion::evaluate(double inflation) {
   bodies_ = cage_.bodies(inflation);
   const BodyDisplacements displacements = displacementsOf(bodies_);
-  for (std::size_t side = 0; side < 2; ++side) moveWall(sides_[side].wall, displacements, walls_[side]);
-  diaphragm_.move(sides_, {walls_[0], walls_[1]}, inflation, diaphragmPoints_);
+  for (std::size_t side = 0; side < 2; ++side) moveWall(sides_[side].wall, displacements, inflation, walls_[side]);
+  const double contraction = diaphragmContraction(inflation);
+  diaphragm_.move(sides_, {walls_[0], walls_[1]}, contraction, diaphragmPoints_);
   for (std::size_t side = 0; side < 2; ++side) {
-    lungs_[side].move(sides_[side], walls_[side], diaphragmPoints_, inflation, lungPoints_[side]);
+    lungs_[side].move(sides_[side], walls_[side], diaphragmPoints_, contraction, lungPoints_[side]);
   }
 }
 

@@ -29,9 +29,9 @@ struct WallPlace {
   RowPlace a, b;
   float fraction;
 
-  WallPlace(const WallSlide& slide, int column, float columnFraction, double v, double inflation)
-      : a(column, slide.row(column, v, inflation)),
-        b(PleuralWall::next(column), slide.row(PleuralWall::next(column), v, inflation)),
+  WallPlace(const WallSlide& slide, int column, float columnFraction, double v, double contraction)
+      : a(column, slide.row(column, v, contraction)),
+        b(PleuralWall::next(column), slide.row(PleuralWall::next(column), v, contraction)),
         fraction(columnFraction) {}
   Eigen::Vector4f of(Grid grid) const { return (1.0f - fraction) * a.of(grid) + fraction * b.of(grid); }
 };
@@ -82,8 +82,8 @@ WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eige
 }
 
 Eigen::Vector4f followWall(const PleuralWall& wall, Grid now, const WallSlide& slide, const WallPoint& point,
-                           double inflation) {
-  const WallPlace place(slide, point.column, point.fraction, point.v, inflation);
+                           double contraction) {
+  const WallPlace place(slide, point.column, point.fraction, point.v, contraction);
   return place.of(now) + point.gap * place.of(wall.inward);
 }
 

@@ -24,6 +24,6 @@ WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eige
 
 /// Where that place is on the moved wall, as (x, y, z, 1) [m]; point.rest, bit for bit, at rest.
 Eigen::Vector4f followWall(const PleuralWall& wall, std::span<const Eigen::Vector4f> now, const WallSlide& slide,
-                           const WallPoint& point, double inflation);
+                           const WallPoint& point, double contraction);
 
 }  // namespace pleura

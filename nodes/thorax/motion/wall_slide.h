@@ -14,12 +14,12 @@ namespace pleura {
 struct WallSlide {
   std::vector<double> fold;  // [kColumns] row of the fold at rest
   std::vector<double> rim;   // [kColumns] row of the rim
-  std::vector<double> drop;  // [kColumns] rows that the fold goes down at inflation 1
+  std::vector<double> drop;  // [kColumns] rows that the fold goes down at contraction 1
 
   /// Row on a column of what lies at v at rest.
-  double row(int column, double v, double inflation) const {
+  double row(int column, double v, double contraction) const {
     const auto c = static_cast<std::size_t>(column);
-    const double slide = inflation * drop[c];
+    const double slide = contraction * drop[c];
     const double zone = rim[c] - fold[c];
     if (v <= 1.0) return v * (fold[c] + slide);
     return v <= 2.0 ? fold[c] + (v - 1.0) * zone + (2.0 - v) * slide : rim[c] + (v - 2.0) * zone;
