@@ -1,13 +1,14 @@
-#include <pleura/nodes/thorax/motion/dome_motion.h>
-
 #include <cmath>
-#include <pleura/nodes/thorax/motion/rib_motion.h>
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/dome_motion.h>
+#include <pleura/nodes/thorax/motion/rib_motion.h>
 
 namespace pleura {
 
 double diaphragmContraction(double inflation) {
-  if (!std::isfinite(inflation)) throw std::invalid_argument("diaphragmContraction: inflation must be finite");
+  if (!std::isfinite(inflation))
+    throw std::invalid_argument("diaphragmContraction: inflation must be finite");
   constexpr double kLead = 0.4;
   return inflation * (1.0 + kLead * (1.0 - inflation));
 }

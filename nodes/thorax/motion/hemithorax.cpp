@@ -1,8 +1,6 @@
-#include <pleura/nodes/thorax/motion/hemithorax.h>
-
-#include <pleura/nodes/thorax/motion/wall_inset.h>
-
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/hemithorax.h>
 
 namespace pleura {
 namespace {
@@ -86,10 +84,8 @@ const Lung& lungOf(const Anatomy& anatomy, Side side) {
 Hemithorax buildHemithorax(const Anatomy& anatomy, const CageMotion& cage, Side side, double foldDrop) {
   const HemithoraxAxis axis = axisOf(anatomy, side);
   const double apex = axis.coordinates(lungOf(anatomy, side).apex.cast<double>()).height;
-  const std::vector<WallBody> bodies = bodiesOf(anatomy, cage, side);
   Hemithorax half;
-  half.wall = buildPleuralWall(axis, bodies, apex + kCupolaAboveApex);
-  setInset(half.wall, bodies, displacementsOf(cage.bodies(1.0)));
+  half.wall = buildPleuralWall(axis, bodiesOf(anatomy, cage, side), apex + kCupolaAboveApex);
   half.slide = slideOnWall(half.wall, ring(anatomy.diaphragm, side, kFoldLevel),
                            ring(anatomy.diaphragm, side, kRimLevel), foldDrop);
   return half;

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
 #include <pleura/nodes/thorax/anatomy/anatomy.h>
 #include <pleura/nodes/thorax/motion/cage_motion.h>
 #include <pleura/nodes/thorax/motion/wall_binding.h>
-
-#include <Eigen/Core>
-#include <span>
-#include <vector>
 
 namespace pleura {
 
@@ -16,8 +17,8 @@ struct Hemithorax {
   WallSlide slide;
 };
 
-/// Builds a side from the bones at rest; `foldDrop` [m] as in DomeMotion. Throws std::invalid_argument when the
-/// anatomy lacks the side's lung or rim of the diaphragm.
+/// Builds a side from the bones at rest; `foldDrop` [m] as in DomeMotion. Throws std::invalid_argument when
+/// the anatomy lacks the side's lung or rim of the diaphragm.
 Hemithorax buildHemithorax(const Anatomy& anatomy, const CageMotion& cage, Side side, double foldDrop);
 
 /// A point of an organ that keeps its place on the wall.

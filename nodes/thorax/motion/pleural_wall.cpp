@@ -1,15 +1,15 @@
-#include <pleura/nodes/thorax/motion/pleural_wall.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include <pleura/nodes/thorax/motion/pleural_wall.h>
+
 namespace pleura {
 namespace {
 
 constexpr double kRollingCurvature = 4.0;  // [1/rad^2] bridges an intercostal space with a sagitta under 1 mm
-constexpr double kBelowMargin = 0.05;    // [m] the profile goes on straight below the last bone
+constexpr double kBelowMargin = 0.05;      // [m] the profile goes on straight below the last bone
 constexpr std::size_t kFewestPoints = 24;
 
 /// A point of a bone in the half-plane of a column.
@@ -52,8 +52,8 @@ void addSection(const HemithoraxAxis& axis, double azimuth, double cupola, const
   }
 }
 
-/// (phi, u): elevation seen from the axis' origin [rad] and logarithm of the distance. This map keeps angles, so
-/// that a curve of one shape fits the steep lower wall as well as the shoulder under the cupola.
+/// (phi, u): elevation seen from the axis' origin [rad] and logarithm of the distance. This map keeps angles,
+/// so that a curve of one shape fits the steep lower wall as well as the shoulder under the cupola.
 struct LogPolar {
   double phi, u;
 };
@@ -65,16 +65,16 @@ double lifted(const LogPolar& p) { return p.u + 0.5 * kRollingCurvature * p.phi 
 
 /// Lower convex hull of (phi, f), from the top down (Andrew's monotone chain).
 Profile innerEnvelope(Profile points) {
-  std::sort(points.begin(), points.end(), [](const ProfilePoint& a, const ProfilePoint& b) {
-    return logPolar(a).phi > logPolar(b).phi;
-  });
+  std::sort(points.begin(), points.end(),
+            [](const ProfilePoint& a, const ProfilePoint& b) { return logPolar(a).phi > logPolar(b).phi; });
   Profile hull;
   for (const ProfilePoint& p : points) {
     const LogPolar c = logPolar(p);
     while (hull.size() >= 2) {
       const LogPolar b = logPolar(hull[hull.size() - 1]);
       const LogPolar a = logPolar(hull[hull.size() - 2]);
-      const double turn = (a.phi - b.phi) * (lifted(c) - lifted(b)) - (b.phi - c.phi) * (lifted(b) - lifted(a));
+      const double turn =
+          (a.phi - b.phi) * (lifted(c) - lifted(b)) - (b.phi - c.phi) * (lifted(b) - lifted(a));
       if (turn > 0.0) break;
       hull.pop_back();
     }
@@ -180,7 +180,6 @@ PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBod
   wall.rest.assign(PleuralWall::kColumns * PleuralWall::kRows, axis.origin.cast<float>().homogeneous());
   wall.inward.assign(wall.rest.size(), Eigen::Vector4f::Zero());
   wall.weights.resize(wall.rest.size());
-  wall.inset.assign(wall.rest.size(), 0.0f);
   for (int column = 0; column < PleuralWall::kColumns; ++column) {
     const double azimuth = -std::numbers::pi + 2.0 * std::numbers::pi * column / PleuralWall::kColumns;
     Profile section;
@@ -203,7 +202,7 @@ std::vector<Eigen::Vector3i> wallTriangles(const PleuralWall& wall) {
   const bool left = wall.axis.lateral.x() > 0.0;  // the sense of azimuth mirrors with the side
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     const Eigen::Vector3i t(static_cast<int>(a), static_cast<int>(b), static_cast<int>(c));
-    triangles.push_back(left ? t : Eigen::Vector3i(t[0], t[2], t[1]));
+    triangles.push_back(left ? Eigen::Vector3i(t[0], t[2], t[1]) : t);
   };
   for (int c = 0; c < PleuralWall::kColumns; ++c) {
     const int d = PleuralWall::next(c);
@@ -216,12 +215,10 @@ std::vector<Eigen::Vector3i> wallTriangles(const PleuralWall& wall) {
   return triangles;
 }
 
-void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements, double inflation,
+void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements,
               std::span<Eigen::Vector4f> now) {
-  const auto i = static_cast<float>(inflation);
-  for (std::size_t k = 0; k < wall.rest.size(); ++k) {
-    now[k] = carry(wall.rest[k], wall.weights[k], displacements) + i * wall.inset[k] * wall.inward[k];
-  }
+  for (std::size_t k = 0; k < wall.rest.size(); ++k)
+    now[k] = carry(wall.rest[k], wall.weights[k], displacements);
 }
 
 }  // namespace pleura

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-#include <pleura/nodes/thorax/motion/skin.h>
-
-#include <Eigen/Core>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
+#include <pleura/nodes/thorax/motion/skin.h>
 
 namespace pleura {
 
@@ -30,7 +31,8 @@ struct HemithoraxAxis {
   Eigen::Vector3d radial(double azimuth) const;
 };
 
-/// The axis through `low` and `high` [m] on the side whose lateral direction is x = `side` (+1 left, -1 right).
+/// The axis through `low` and `high` [m] on the side whose lateral direction is x = `side` (+1 left, -1
+/// right).
 HemithoraxAxis hemithoraxAxis(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double side);
 
 /// The inner surface of one half of the cage: a grid of kColumns profiles in half-planes about the axis, each
@@ -44,7 +46,6 @@ struct PleuralWall {
   std::vector<Eigen::Vector4f> rest;    // [kColumns * kRows], (x, y, z, 1), m
   std::vector<Eigen::Vector4f> inward;  // (unit normal at rest, 0), into the cavity
   std::vector<BodyWeights> weights;     // what carries each point
-  std::vector<float> inset;             // [m] inwards at inflation 1, see wall_inset.h
 
   bool open(int column) const { return spacing[static_cast<std::size_t>(column)] == 0.0; }
   static int next(int column) { return (column + 1) % kColumns; }
@@ -62,7 +63,7 @@ PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBod
 std::vector<Eigen::Vector3i> wallTriangles(const PleuralWall& wall);
 
 /// Where the wall is now: `now` has the shape of wall.rest; the weights refer to `displacements`.
-void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements, double inflation,
+void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements,
               std::span<Eigen::Vector4f> now);
 
 }  // namespace pleura

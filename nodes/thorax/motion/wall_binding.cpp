@@ -1,12 +1,15 @@
-#include <pleura/nodes/thorax/motion/wall_binding.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include <pleura/nodes/thorax/motion/wall_binding.h>
+
 namespace pleura {
 namespace {
+
+/// [m] What lay between two ribs, outside of the wall, must be inside by so much when it slides under a rib.
+constexpr float kClearance = 0.001f;
 
 using Grid = std::span<const Eigen::Vector4f>;
 
@@ -77,6 +80,8 @@ WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eige
   const Eigen::Vector3d offset = point - place.of(wall.rest).head<3>().cast<double>();
   at.distance = static_cast<float>(offset.norm());
   at.gap = static_cast<float>(offset.dot(place.of(wall.inward).head<3>().cast<double>()));
+  at.onSpine = wall.weights[place.a.above].count == 0 && wall.weights[place.b.above].count == 0;
+  at.lift = std::max(0.0f, kClearance - at.gap);
   at.rest = followWall(wall, wall.rest, slide, at, 0.0);
   return at;
 }
@@ -84,7 +89,8 @@ WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eige
 Eigen::Vector4f followWall(const PleuralWall& wall, Grid now, const WallSlide& slide, const WallPoint& point,
                            double contraction) {
   const WallPlace place(slide, point.column, point.fraction, point.v, contraction);
-  return place.of(now) + point.gap * place.of(wall.inward);
+  const float gap = point.gap + static_cast<float>(contraction) * point.lift;
+  return place.of(now) + gap * place.of(wall.inward);
 }
 
 }  // namespace pleura
