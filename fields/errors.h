@@ -20,7 +20,7 @@ struct RouteError : FieldError {
   using FieldError::FieldError;
 };
 
-/// A TypedField was evaluated with fewer inputs than it requires.
+/// A TypedField was evaluated without the inputs that it requires.
 struct MissingInputError : FieldError {
   using FieldError::FieldError;
 };

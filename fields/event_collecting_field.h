@@ -7,8 +7,8 @@
 
 namespace pleura {
 
-/// A field that remembers who has sent events since it was last evaluated or set. update() reads getCausingEvents(),
-/// in the order of arrival, each sender once with its newest stamp.
+/// A field that remembers who has sent events since it was last evaluated or set. update() reads
+/// getCausingEvents(), in the order of arrival, each sender once with its newest stamp.
 template <class Base>
 class EventCollectingField : public Base {
  public:
@@ -21,8 +21,8 @@ class EventCollectingField : public Base {
   }
 
   void observe(Field::Event arrived) override {
-    const auto known =
-        std::find_if(events_.begin(), events_.end(), [&](const auto& e) { return e.sender == arrived.sender; });
+    const auto known = std::find_if(events_.begin(), events_.end(),
+                                    [&](const auto& e) { return e.sender == arrived.sender; });
     if (known != events_.end()) {
       known->stamp = arrived.stamp;
     } else {

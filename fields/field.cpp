@@ -53,11 +53,11 @@ void Field::refuseGet() const {
   throw FieldAccessError(getFullName() + " is " + std::string(name(access_)) + ": it can't be read");
 }
 
-void Field::refuseRange() const {
+void Field::refuseRange(std::size_t at) const {
   const auto& d = *declaration_;
-  if (!std::isfinite(d.maximum)) throw FieldParseError(fmt::format("at least {}", d.minimum), 0);
-  if (!std::isfinite(d.minimum)) throw FieldParseError(fmt::format("at most {}", d.maximum), 0);
-  throw FieldParseError(fmt::format("{} to {}", d.minimum, d.maximum), 0);
+  if (!std::isfinite(d.maximum)) throw FieldParseError(fmt::format("at least {}", d.minimum), at);
+  if (!std::isfinite(d.minimum)) throw FieldParseError(fmt::format("at most {}", d.maximum), at);
+  throw FieldParseError(fmt::format("{} to {}", d.minimum, d.maximum), at);
 }
 
 bool Field::acceptsInput(const Field& from, std::size_t, std::string& why) const {

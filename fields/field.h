@@ -104,19 +104,20 @@ class Field {
   virtual void checkInputs() const {}
   /// Called for every event that arrives where observesEvents() was asked for. May only take notes.
   virtual void observe(Event) {}
-  /// What `sender` (null: anybody) sent up to `stamp` is dealt with or cancelled. Called where observesEvents()
-  /// was asked for.
+  /// What `sender` (null: anybody) sent up to `stamp` is dealt with or cancelled. Called where
+  /// observesEvents() was asked for.
   virtual void forgetEvents(const Field* /*sender*/, std::uint64_t /*stamp*/) {}
   /// Called after the propagation that reached an observing field has ended.
   virtual void afterEvents() {}
 
   void observesEvents() { observes_ = true; }
-  /// Throws FieldParseError where a component of `read` is outside the range that the declaration gives.
+  /// Throws FieldParseError where a component of `read`, `at` bytes into the text, is outside the range that
+  /// the declaration gives.
   template <class T>
-  void checkRange(const T& read) const {
-    if (declaration_ != nullptr && declaration_->isBounded() && !declaration_->admits(read)) refuseRange();
+  void checkRange(const T& read, std::size_t at) const {
+    if (declaration_ != nullptr && declaration_->isBounded() && !declaration_->admits(read)) refuseRange(at);
   }
-  [[noreturn]] void refuseRange() const;
+  [[noreturn]] void refuseRange(std::size_t at) const;
   void checkSet(NodeId id) const {
     if (!canSet(access_) && id != owner_) refuseSet();
   }
@@ -149,7 +150,7 @@ class Field {
   Access access_ = Access::inputOutput;
   bool settled_ = false;  // all that is downstream is out of date already, each by way of this field
   bool observes_ = false;
-  bool queued_ = false;  // waits for afterEvents()
+  bool queued_ = false;        // waits for afterEvents()
   bool inputsChanged_ = true;  // since checkInputs() last found them right
   bool evaluating_ = false;
 };

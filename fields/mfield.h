@@ -93,9 +93,10 @@ class MField : public Field {
     std::vector<T> read;
     TextReader reader(text, scale);
     while (!reader.atEnd()) {
+      const std::size_t at = reader.offset();
       T one{};
       reader.read(one);
-      checkRange(one);
+      checkRange(one, at);
       read.push_back(std::move(one));
     }
     setValue(std::move(read), id);

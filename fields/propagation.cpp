@@ -57,8 +57,8 @@ void Propagation::start(Field& origin, Field* target) {
   callObservers();
 }
 
-/// Whether the event has come by `field` already: walked, or passed over with all that is below a settled field.
-/// What is found is noted in the stamps, so that no way up is gone twice.
+/// Whether the event has come by `field` already: walked, or passed over with all that is below a settled
+/// field. What is found is noted in the stamps, so that no way up is gone twice.
 bool Propagation::hasPassed(Field& field, std::uint64_t stamp) {
   if (field.event.stamp >= stamp) return true;
   const Field* above = field.event.sender;
@@ -131,7 +131,8 @@ void Propagation::callObservers() {
     if (field == nullptr) continue;
     field->queued_ = false;
     try {
-      if (rounds > kMostRounds) throw FieldError(field->getFullName() + " causes itself to change without end");
+      if (rounds > kMostRounds)
+        throw FieldError(field->getFullName() + " causes itself to change without end");
       field->afterEvents();
     } catch (...) {
       if (failure == nullptr) failure = std::current_exception();

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,16 +20,28 @@ bool endsToken(const char* at, const char* end) {
 template <class Number>
 void TextReader::readNumber(Number& value, const char* expected) {
   skipSpace();
-  const char* from = at_ != end_ && *at_ == '+' ? at_ + 1 : at_;
+  const bool hasPlus = end_ - at_ > 1 && at_[0] == '+' && at_[1] != '-';
   Number number{};
-  const auto [to, error] = std::from_chars(from, end_, number);
+  auto [to, error] = std::from_chars(hasPlus ? at_ + 1 : at_, end_, number);
+  if constexpr (std::is_same_v<Number, float>)
+    if (error == std::errc::result_out_of_range && readTiny(number)) error = std::errc();
   if (error != std::errc() || !endsToken(to, end_)) fail(expected);
-  if constexpr (std::is_floating_point_v<Number>)
-    if (!std::isfinite(number)) fail(expected);
+  if constexpr (std::is_floating_point_v<Number>) {
+    constexpr double kLargest = std::numeric_limits<Number>::max();
+    if (!std::isfinite(number) || std::abs(number) > kLargest / std::max(1.0, std::abs(scale_)))
+      fail(expected);
+    number = static_cast<Number>(number * scale_);
+  }
   at_ = to;
   value = number;
-  if constexpr (std::is_floating_point_v<Number>)
-    if (scale_ != 1) value = static_cast<Number>(number * scale_);
+}
+
+/// A number too near to zero for a float, which other programs write from doubles.
+bool TextReader::readTiny(float& value) const {
+  double wide = HUGE_VAL;
+  std::from_chars(*at_ == '+' ? at_ + 1 : at_, end_, wide);
+  value = std::abs(wide) < 1 ? static_cast<float>(wide) : 0;
+  return std::abs(wide) < 1;
 }
 
 void TextReader::read(float& value) { readNumber(value, "a finite number"); }
@@ -99,7 +113,8 @@ void TextReader::read(std::string& value) {
 void TextReader::read(NodePtr& value) {
   skipSpace();
   constexpr std::string_view kNull = "NULL";
-  if (std::string_view(at_, static_cast<std::size_t>(end_ - at_)).substr(0, kNull.size()) != kNull)
+  if (!std::string_view(at_, static_cast<std::size_t>(end_ - at_)).starts_with(kNull) ||
+      !endsToken(at_ + kNull.size(), end_))
     fail("a node element, not text");
   at_ += kNull.size();
   value = nullptr;

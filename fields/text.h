@@ -49,6 +49,7 @@ class TextReader {
   }
   template <class Number>
   void readNumber(Number& value, const char* expected);
+  bool readTiny(float& value) const;
 
   const char* begin_;
   const char* at_;

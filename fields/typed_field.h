@@ -71,8 +71,8 @@ struct Inputs<Any<Fields...>> : Inputs<AnyNumber<Any<Fields...>>> {};
 
 }  // namespace typed_field
 
-/// A field whose value is computed from inputs of given classes, checked when a route is made, and again, that
-/// none is missing, when it is evaluated. Override update(): read `routes_in[i]`, write `value`.
+/// A field whose value is computed from inputs of given classes, checked when a route is made and when it is
+/// evaluated after routes have changed. Override update(): read `routes_in[i]`, write `value`.
 ///
 ///   class Sum : public TypedField<SFFloat, Types<SFFloat, SFFloat>> { void update() override { ... } };
 ///
@@ -84,25 +84,36 @@ class TypedField : public Base {
   using OptionalInputs = typed_field::Inputs<Optional>;
 
   bool acceptsInput(const Field& from, std::size_t index, std::string& why) const override {
-    if (RequiredInputs::kOpenEnded || index < RequiredInputs::kCount) {
-      why = RequiredInputs::expected(index);
-      return RequiredInputs::matches(index, from);
-    }
+    if (RequiredInputs::kOpenEnded || index < RequiredInputs::kCount)
+      return accepts<RequiredInputs>(from, index, why);
     const std::size_t extra = index - RequiredInputs::kCount;
-    if (OptionalInputs::kOpenEnded || extra < OptionalInputs::kCount) {
-      why = OptionalInputs::expected(extra);
-      return OptionalInputs::matches(extra, from);
-    }
+    if (OptionalInputs::kOpenEnded || extra < OptionalInputs::kCount)
+      return accepts<OptionalInputs>(from, extra, why);
     why = "no input number " + std::to_string(index + 1);
     return false;
   }
 
+  /// Inputs move up when one before them is unrouted: each has to fit its place still.
   void checkInputs() const override {
     const std::size_t has = this->routes_in.size();
+    std::string expected;
+    for (std::size_t i = 0; i < has; ++i)
+      if (!acceptsInput(*this->routes_in[i], i, expected))
+        throw MissingInputError(this->getFullName() + " has a " +
+                                std::string(this->routes_in[i]->getTypeName()) + " as input number " +
+                                std::to_string(i + 1) + " where " + expected + " is expected");
     if (has < RequiredInputs::kCount)
       throw MissingInputError(this->getFullName() + " has " + std::to_string(has) + " of " +
                               std::to_string(RequiredInputs::kCount) + " inputs: the next is a " +
                               RequiredInputs::expected(has));
+  }
+
+ private:
+  template <class Inputs>
+  static bool accepts(const Field& from, std::size_t index, std::string& why) {
+    if (Inputs::matches(index, from)) return true;
+    why = Inputs::expected(index);
+    return false;
   }
 };
 

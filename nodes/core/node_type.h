@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -30,6 +32,9 @@ struct NodeField : FieldDeclaration {
 
   NodeField& measuredIn(Unit u) { return unit = u, *this; }
   NodeField& within(double least, double most) { return minimum = least, maximum = most, *this; }
+  NodeField& atLeast(double least) { return minimum = least, *this; }
+  NodeField& positive() { return atLeast(std::numeric_limits<float>::min()); }
+  NodeField& positive(double most) { return maximum = most, positive(); }
   NodeField& means(std::string text) { return meaning = std::move(text), *this; }
 };
 
@@ -95,7 +100,12 @@ NodeField& NodeType::field(std::string name, Access access,
   declared.type = FieldClass::kFieldType;
   declared.access = access;
   declared.of = [](Node& node) -> Field& {
-    return static_cast<typename MemberOf<Member>::node&>(node).*Member;
+    using Class = typename MemberOf<Member>::node;
+    if constexpr (std::is_base_of_v<Node, Class>) {
+      return static_cast<Class&>(node).*Member;
+    } else {
+      return dynamic_cast<Class&>(node).*Member;  // of a base beside Node, as X3DBoundedObject
+    }
   };
   declared.setDefault = [byDefault](Field& field) {
     static_cast<FieldClass&>(field).setValue(byDefault, field.getOwner());

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <pleura/fields/field_types.h>
+#include <pleura/nodes/core/bindable_stack.h>
 
 namespace pleura {
 
@@ -35,11 +38,21 @@ class SceneContext {
   void addKeyListener(KeyListener* listener) { keyListeners_.push_back(listener); }
   void removeKeyListener(KeyListener* listener) { std::erase(keyListeners_, listener); }
 
+  /// The bound nodes of a kind: "Viewpoint", "NavigationInfo", "Background" or "Fog". A stack stays where it
+  /// is.
+  BindableStack& bindables(std::string_view kind) {
+    const auto found = bindables_.find(kind);
+    return found != bindables_.end() ? found->second : bindables_[std::string(kind)];
+  }
+
   /// Tells the scene's author something about a node.
   virtual void warn(const Node& node, const std::string& message) = 0;
 
  protected:
   std::vector<KeyListener*> keyListeners_;
+
+ private:
+  std::map<std::string, BindableStack, std::less<>> bindables_;
 };
 
 }  // namespace pleura

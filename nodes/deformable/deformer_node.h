@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <pleura/nodes/core/node_type.h>
 #include <pleura/nodes/deformable/mesh/triangle_mesh.h>
@@ -20,6 +21,9 @@ class DeformerNode : public Node {
   /// std::invalid_argument, `positions` untouched, for targets that are not finite.
   virtual void deform(std::span<const int> driven, std::span<const Vec3f> targets,
                       std::span<Vec3f> positions) = 0;
+
+  /// Fields beside the driven points that the shape depends on.
+  virtual std::vector<Field*> inputs() { return {}; }
 
   static void declare(NodeType& type) {
     Node::declare(type);

@@ -46,6 +46,8 @@ void DeformableShape2::onInitialize() {
   for (Field* input :
        std::initializer_list<Field*>{&deformer, &origCoord, &rigid_points, &contactIndex, &contactPoint})
     input->routeNoEvent(deformedCoord, id);
+  if (auto* solver = deformer.get())
+    for (Field* input : solver->inputs()) input->routeNoEvent(deformedCoord, id);
   deformedCoord.routeNoEvent(volume, id);
   deformedCoord.routeNoEvent(top, id);
   deformedCoord.touch();

@@ -21,7 +21,7 @@ class DeformableShape2 : public X3DShapeNode {
   JoinedField<MFInt32> contactIndex;
   JoinedField<MFVec3f> contactPoint;
 
-  class Deformed : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, MFInt32, SFNode>>> {
+  class Deformed : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, MFInt32, SFNode, SFMatrix4f>>> {
     void update() override { static_cast<DeformableShape2*>(getOwner())->deform(value); }
   };
   Deformed deformedCoord;

@@ -134,14 +134,12 @@ TEST_P(RandomGraph, BehavesAsTheReference) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, RandomGraph,
-                         testing::Values(Mix{"FewRoutes", 12, 1.0, false, true},
-                                         Mix{"ManyRoutes", 12, 2.5, false, true},
-                                         Mix{"Tiny", 5, 1.5, false, true},
-                                         Mix{"FewRoutesAutoUpdate", 16, 1.0, true, false},
-                                         Mix{"ManyRoutesAutoUpdate", 16, 2.5, true, false},
-                                         Mix{"Large", 60, 1.3, true, false}),
-                         [](const auto& mix) { return mix.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Of, RandomGraph,
+    testing::Values(Mix{"FewRoutes", 12, 1.0, false, true}, Mix{"ManyRoutes", 12, 2.5, false, true},
+                    Mix{"Tiny", 5, 1.5, false, true}, Mix{"FewRoutesAutoUpdate", 16, 1.0, true, false},
+                    Mix{"ManyRoutesAutoUpdate", 16, 2.5, true, false}, Mix{"Large", 60, 1.3, true, false}),
+    [](const auto& mix) { return mix.param.name; });
 
 }  // namespace
 }  // namespace pleura::model

@@ -69,8 +69,29 @@ void listDriven(const ChainmailModel& model, ChainmailWorkspace& w, std::span<co
       refuse("driven point " + std::to_string(driven[w.driven[k].source]) + " has two different targets");
 }
 
-// Makes the point go at least as far as asked, each way, and its neighbours ask again if that moved it.
-void pullPoint(const ChainmailModel& model, ChainmailWorkspace& w, int point, const ChainmailPull& asked) {
+void enqueue(ChainmailWorkspace& w, int point) {
+  if (w.isQueued[point]) return;
+  w.isQueued[point] = 1;
+  w.queue[w.tail] = point;
+  if (++w.tail == static_cast<int>(w.queue.size())) w.tail = 0;
+}
+
+int dequeue(ChainmailWorkspace& w) {
+  const int point = w.queue[w.head];
+  w.isQueued[point] = 0;
+  if (++w.head == static_cast<int>(w.queue.size())) w.head = 0;
+  return point;
+}
+
+// What the sums of a solve may be off by.
+float roundingOf(const ChainmailWorkspace& w) {
+  float largest = 0;
+  for (const Driven& d : w.driven) largest = std::max(largest, d.u.abs().maxCoeff());
+  return 1e-6f * largest;
+}
+
+// Makes the point go at least as far as asked, each way, and ask its own neighbours if that moved it.
+void pullPoint(ChainmailWorkspace& w, int point, const ChainmailPull& asked) {
   ChainmailPull& pull = w.pull[point];
   const ChainmailPull raised = pull.max(asked);
   if ((raised - pull).sum() == 0) return;
@@ -79,50 +100,62 @@ void pullPoint(const ChainmailModel& model, ChainmailWorkspace& w, int point, co
     w.isMoved[point] = 1;
     w.moved.push_back(point);
   }
-  if (w.isQueued[point]) return;
-  w.isQueued[point] = 1;
-  w.queue[w.tail] = point;
-  if (++w.tail == static_cast<int>(w.queue.size())) w.tail = 0;
+  enqueue(w, point);
 }
 
 // Region growing: pull_b = max(pull_b, pull_a - slack(a, b)) until nothing changes. Returns the number of
 // visits.
 int growRegion(const ChainmailModel& model, ChainmailWorkspace& w) {
   int visits = 0;
-  while (w.head != w.tail) {
-    const int a = w.queue[w.head];
-    if (++w.head == static_cast<int>(w.queue.size())) w.head = 0;
-    w.isQueued[a] = 0;
-    ++visits;
+  for (; w.head != w.tail; ++visits) {
+    const int a = dequeue(w);
     const ChainmailPull pull = w.pull[a];
     const int end = model.topology.begin[a + 1];
     for (int link = model.topology.begin[a]; link < end; ++link)
-      pullPoint(model, w, model.topology.neighbour[link], pull - model.slack[link]);
+      pullPoint(w, model.topology.neighbour[link], pull - model.slack[link]);
   }
   return visits;
 }
 
-// Leaves (u, -u) in the pull of every moved point. Returns the number of visits.
-int findDisplacements(const ChainmailModel& model, ChainmailWorkspace& w) {
-  const auto opposite = [](const ChainmailPull& p) {
-    return (ChainmailPull() << p.tail<4>(), p.head<4>()).finished();
-  };
-  for (const Driven& d : w.driven) pullPoint(model, w, d.point, bothWays(d.u));
-  int visits = growRegion(model, w);
-  // Here pull is (max(low, 0), max(-high, 0)). With its zeros closed up to the other bound it can rise again
-  // only where low > high, and there the middle needs both in full.
+ChainmailPull beyondLimits(const ChainmailModel& model, const ChainmailWorkspace& w, int a, int link) {
+  return w.pull[a] - w.pull[model.topology.neighbour[link]] - model.slack[link];
+}
+
+float worstBeyondLimits(const ChainmailModel& model, const ChainmailWorkspace& w, int a) {
+  ChainmailPull worst = ChainmailPull::Zero();
+  const int end = model.topology.begin[a + 1];
+  for (int link = model.topology.begin[a]; link < end; ++link)
+    worst = worst.max(beyondLimits(model, w, a, link));
+  return worst.maxCoeff();
+}
+
+ChainmailPull opposite(const ChainmailPull& p) {
+  return (ChainmailPull() << p.tail<4>(), p.head<4>()).finished();
+}
+
+// From (max(low, 0), max(-high, 0)) to (u, -u), but to (low, -high) where both pull. Returns whether any do.
+bool closeBounds(ChainmailWorkspace& w) {
+  float both = 0;
   for (const int point : w.moved) {
-    const ChainmailPull back = opposite(w.pull[point]);
-    w.pull[point] = (w.pull[point].min(back) > 0).select(w.pull[point], w.pull[point] - back);
+    const ChainmailPull pull = w.pull[point], back = opposite(pull), least = pull.min(back);
+    w.pull[point] = (least > 0).select(pull, pull - back);
+    both = std::max(both, least.maxCoeff());
   }
-  for (const Driven& d : w.driven) pullPoint(model, w, d.point, bothWays(d.u));
+  return both > 0;
+}
+
+// What asks for more after closing meets a bound of the other side. Growing on from there gives low and -high
+// in full wherever low > high; those points take the middle. Returns whether there are such.
+bool settleContradictions(const ChainmailModel& model, ChainmailWorkspace& w, float rounding, int& visits) {
+  const bool pullBoth = closeBounds(w);
+  for (const Driven& d : w.driven)
+    if ((bothWays(d.u) - w.pull[d.point]).maxCoeff() > rounding) pullPoint(w, d.point, bothWays(d.u));
+  for (const int point : w.moved)
+    if (worstBeyondLimits(model, w, point) > rounding) enqueue(w, point);
+  if (!pullBoth && w.head == w.tail) return false;
   visits += growRegion(model, w);
-  for (const int point : w.moved) {
-    const ChainmailPull back = opposite(w.pull[point]);
-    w.pull[point] = 0.5f * w.pull[point] - 0.5f * back;
-  }
-  for (const Driven& d : w.driven) w.pull[d.point] = bothWays(d.u);
-  return visits;
+  for (const int point : w.moved) w.pull[point] = 0.5f * w.pull[point] - 0.5f * opposite(w.pull[point]);
+  return true;
 }
 
 // u_v = mean of its neighbours' u, cut to  u_n - slack <= u_v <= u_n + slack  of each; left alone where there
@@ -150,22 +183,14 @@ void smooth(const ChainmailModel& model, ChainmailWorkspace& w, int sweeps) {
   for (const Driven& d : w.driven) w.isDriven[d.point] = 0;
 }
 
-ChainmailPull beyondLimits(const ChainmailModel& model, const ChainmailWorkspace& w, int a, int link) {
-  return w.pull[a] - w.pull[model.topology.neighbour[link]] - model.slack[link];
-}
-
 // Each link of a moved point once; a link between two that rest is at rest.
-void countViolations(const ChainmailModel& model, const ChainmailWorkspace& w, ChainmailReport& report) {
-  float largest = 0;
-  for (const Driven& d : w.driven) largest = std::max(largest, d.u.abs().maxCoeff());
-  const float rounding = 1e-6f * largest;
+void countViolations(const ChainmailModel& model, const ChainmailWorkspace& w, float rounding,
+                     ChainmailReport& report) {
   for (const int a : w.moved) {
-    const int begin = model.topology.begin[a], end = model.topology.begin[a + 1];
-    ChainmailPull worst = ChainmailPull::Zero();
-    for (int link = begin; link < end; ++link) worst = worst.max(beyondLimits(model, w, a, link));
-    if (worst.maxCoeff() <= rounding) continue;
-    report.worstViolation = std::max(report.worstViolation, worst.maxCoeff());
-    for (int link = begin; link < end; ++link) {
+    const float worst = worstBeyondLimits(model, w, a);
+    if (worst <= rounding) continue;
+    report.worstViolation = std::max(report.worstViolation, worst);
+    for (int link = model.topology.begin[a]; link < model.topology.begin[a + 1]; ++link) {
       const int b = model.topology.neighbour[link];
       const bool isCounted = b < a && w.isMoved[b];
       if (!isCounted && beyondLimits(model, w, a, link).maxCoeff() > rounding) ++report.violatedLinks;
@@ -198,11 +223,15 @@ ChainmailReport solveChainmail(const ChainmailModel& model, ChainmailWorkspace& 
                                const ChainmailOptions& options, std::span<Eigen::Vector3f> positions) {
   requireSound(model, workspace, driven, targets, options, positions);
   listDriven(model, workspace, driven, targets, options.frame);
+  const float rounding = roundingOf(workspace);
   ChainmailReport report;
-  report.visits = findDisplacements(model, workspace);
+  for (const Driven& d : workspace.driven) pullPoint(workspace, d.point, bothWays(d.u));
+  report.visits = growRegion(model, workspace);
+  const bool isContradictory = settleContradictions(model, workspace, rounding, report.visits);
+  for (const Driven& d : workspace.driven) workspace.pull[d.point] = bothWays(d.u);
   report.movedPoints = static_cast<int>(workspace.moved.size());
   smooth(model, workspace, options.smoothingSweeps);
-  countViolations(model, workspace, report);
+  if (isContradictory || options.smoothingSweeps > 0) countViolations(model, workspace, rounding, report);
   place(model, workspace, options.frame, targets, positions);
   clear(workspace);
   return report;

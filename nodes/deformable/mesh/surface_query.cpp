@@ -33,6 +33,14 @@ void requireNotNegative(double value, const char* name) {
     throw std::invalid_argument(std::string(name) + ": must not be negative");
 }
 
+Ray checkedRay(const Vector3d& origin, const Vector3d& direction) {
+  requireFloatRange(origin, "origin");
+  requireFloatRange(direction, "direction");
+  if (direction.cwiseAbs().maxCoeff() < smallestFloat)
+    throw std::invalid_argument("direction: has no length");
+  return {origin, direction};
+}
+
 std::span<const Vector3f> checked(std::span<const Vector3f> points) {
   requireFinite(points);
   return points;
@@ -178,6 +186,20 @@ std::optional<SurfacePoint> SurfaceQuery::intersectRay(const Vector3d& origin, c
     return hit->t;
   });
   return first;
+}
+
+std::vector<SurfacePoint> SurfaceQuery::rayHits(const Vector3d& origin, const Vector3d& direction) const {
+  const Ray ray = checkedRay(origin, direction);
+  constexpr double reach = std::numeric_limits<double>::max();
+  std::vector<SurfacePoint> hits;
+  tree_.visitNearestFirst(reach, BoxEntry(ray), [&](int triangle) {
+    const std::optional<Ray::Hit> hit = ray.meet(corners(triangle));
+    if (hit && hit->t >= 0)
+      hits.push_back({corners(triangle) * hit->weights, hit->weights, hit->t, triangle});
+    return reach;
+  });
+  std::ranges::sort(hits, {}, [](const SurfacePoint& hit) { return std::pair(hit.distance, hit.triangle); });
+  return hits;
 }
 
 Eigen::Matrix3d SurfaceQuery::corners(int triangle) const {

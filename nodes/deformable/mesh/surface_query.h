@@ -53,6 +53,9 @@ class SurfaceQuery {
   std::optional<SurfacePoint> intersectRay(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                            double maxT = std::numeric_limits<double>::infinity()) const;
 
+  /// Every place the ray meets, nearest first; an edge or corner it runs through counts once a triangle.
+  std::vector<SurfacePoint> rayHits(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
+
   std::span<const Eigen::Vector3f> points() const { return points_; }
   std::span<const Eigen::Vector3i> triangles() const { return triangles_; }
 

@@ -63,8 +63,8 @@ std::vector<Eigen::Vector2i> edges(std::size_t pointCount, std::span<const Eigen
   all.reserve(3 * triangles.size());
   for (const Eigen::Vector3i& triangle : triangles) {
     for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
-      if (low != high) all.emplace_back(low, high);
+      const int from = triangle[k], to = triangle[(k + 1) % 3];
+      if (from != to) all.emplace_back(std::min(from, to), std::max(from, to));
     }
   }
   std::sort(all.begin(), all.end(), [](const Eigen::Vector2i& a, const Eigen::Vector2i& b) {

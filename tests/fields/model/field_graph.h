@@ -46,8 +46,7 @@ class FieldGraph {
   template <class Base>
   class Ruled : public Base, public Probe {
    public:
-    Ruled(FieldGraph& graph, int self, FieldKind kind)
-        : graph_(graph), self_(self), kind_(kind) {}
+    Ruled(FieldGraph& graph, int self, FieldKind kind) : graph_(graph), self_(self), kind_(kind) {}
     const Field* sender() const override { return this->event.sender; }
 
     int inputs() const { return static_cast<int>(this->routes_in.size()); }

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <pleura/nodes/core/node.h>
+#include <pleura/nodes/standard/core/x3d_metadata_object.h>
+
+namespace pleura {
+
+/// Numbers in double precision that inform about the node they stand in.
+class MetadataDouble : public Node, public X3DMetadataObject {
+ public:
+  MFDouble value;
+
+  static void declare(NodeType& type);
+};
+
+}  // namespace pleura

@@ -1,0 +1,16 @@
+#include <pleura/nodes/core/node_type.h>
+#include <pleura/nodes/standard/eventutilities/time_trigger.h>
+
+namespace pleura {
+
+void TimeTrigger::declare(NodeType& type) {
+  Node::declare(type);
+  type.named("TimeTrigger", "EventUtilities", 1).means("the time of every event");
+  using enum Access;
+  type.field<&TimeTrigger::set_boolean>("set_boolean", inputOnly, false).means("the event to react to");
+  type.field<&TimeTrigger::triggerTime>("triggerTime", outputOnly, 0)
+      .measuredIn(Unit::time)
+      .means("when an event came");
+}
+
+}  // namespace pleura

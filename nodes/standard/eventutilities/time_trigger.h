@@ -1,0 +1,16 @@
+#pragma once
+
+#include <pleura/nodes/standard/eventutilities/x3d_trigger_node.h>
+
+namespace pleura {
+
+/// The time of every event.
+class TimeTrigger : public X3DTriggerNode {
+ public:
+  SFBool set_boolean;
+  SFTime triggerTime;
+
+  static void declare(NodeType& type);
+};
+
+}  // namespace pleura

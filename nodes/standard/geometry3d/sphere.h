@@ -1,0 +1,23 @@
+#pragma once
+
+#include <pleura/nodes/standard/core/field_watch.h>
+#include <pleura/nodes/standard/rendering/x3d_geometry_node.h>
+
+namespace pleura {
+
+/// A sphere around the origin.
+class Sphere : public X3DGeometryNode {
+ public:
+  SFFloat radius;
+  SFBool solid;
+
+  static void declare(NodeType& type);
+
+ protected:
+  void updateMesh(RenderMesh& mesh) override;
+
+ private:
+  FieldWatch watch_;
+};
+
+}  // namespace pleura

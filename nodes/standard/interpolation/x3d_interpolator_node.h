@@ -1,0 +1,16 @@
+#pragma once
+
+#include <pleura/nodes/standard/core/x3d_child_node.h>
+
+namespace pleura {
+
+/// FIXME.
+class X3DInterpolatorNode : public X3DChildNode {
+ public:
+  MFFloat key;
+  SFFloat set_fraction;
+
+  static void declare(NodeType& type);
+};
+
+}  // namespace pleura

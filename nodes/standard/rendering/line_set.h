@@ -1,0 +1,24 @@
+#pragma once
+
+#include <pleura/nodes/standard/rendering/coordinate_geometry_node.h>
+
+namespace pleura {
+
+/// Polylines.
+class LineSet : public CoordinateGeometryNode {
+ public:
+  MFInt32 vertexCount;
+
+  static void declare(NodeType& type);
+
+ protected:
+  bool topologyChanged() override;
+  void collect(std::size_t pointCount, FaceList& faces) override;
+  std::vector<std::uint32_t> primitives(const FaceList& faces, std::span<const Vec3f> points) override;
+  void describe(RenderMesh& mesh) override;
+
+ private:
+  FieldWatch topology_;
+};
+
+}  // namespace pleura

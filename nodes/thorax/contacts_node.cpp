@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include <pleura/nodes/core/scene_context.h>
+#include <pleura/nodes/thorax/contacts_node.h>
+
+namespace pleura {
+
+void ContactsNode::declare(NodeType& type) {
+  Node::declare(type);
+  using enum Access;
+  type.field<&ContactsNode::inflation>("inflation", inputOutput, 0).means("0 at FRC, 1 at TLC");
+  type.field<&ContactsNode::organ>("organ", initializeOnly, {}).means("whose points are held");
+  type.field<&ContactsNode::index>("index", outputOnly, {}).means("the organ's points that are held");
+  type.field<&ContactsNode::point>("point", outputOnly, {})
+      .measuredIn(Unit::length)
+      .means("where they are now, one for each of index");
+}
+
+void ContactsNode::onInitialize() {
+  auto* held = organ.get();
+  if (held == nullptr) return context().warn(*this, "organ is missing: a DeformableShape2 is expected");
+  held->origCoord.routeNoEvent(index, id);
+  held->origCoord.routeNoEvent(point, id);
+  inflation.routeNoEvent(point, id);
+  for (Field* mover : movers()) mover->routeNoEvent(point, id);
+  index.touch();
+  held->origCoord.touch();
+}
+
+bool ContactsNode::isBound() {
+  auto* held = organ.get();
+  if (held == nullptr) return false;
+  held->origCoord.upToDate();
+  if (held->origCoord.getStamp() == boundStamp_) return usable_;
+  boundStamp_ = held->origCoord.getStamp();
+  try {
+    usable_ = false;
+    bind();
+    all_ = held->origCoord.getValue();
+    usable_ = true;
+  } catch (const std::invalid_argument& refused) {
+    context().warn(*this, refused.what());
+  }
+  return usable_;
+}
+
+void ContactsNode::evaluateIndex(std::vector<int>& out) {
+  out.clear();
+  if (isBound()) out = boundPoints();
+}
+
+void ContactsNode::evaluatePoint(std::vector<Vec3f>& out) {
+  out.clear();
+  if (!isBound()) return;
+  follow(all_);
+  for (const int i : boundPoints()) out.push_back(all_[static_cast<std::size_t>(i)]);
+}
+
+}  // namespace pleura

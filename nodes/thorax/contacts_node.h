@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include <pleura/fields/typed_field.h>
+#include <pleura/nodes/core/typed_node_field.h>
+#include <pleura/nodes/standard/core/x3d_child_node.h>
+#include <pleura/nodes/thorax/deformable_shape2.h>
+
+namespace pleura {
+
+/// Says which points of an organ are held by what is around it, and where they are now. Bindings are made once, from
+/// the shapes at rest, when somebody first asks. Its outputs are routed to the organ's contactIndex and contactPoint.
+class ContactsNode : public X3DChildNode {
+ public:
+  SFFloat inflation;
+  TypedSFNode<DeformableShape2> organ;
+
+  class Index : public TypedField<MFInt32, AnyNumber<Any<MFVec3f, SFFloat>>> {
+    void update() override { static_cast<ContactsNode*>(getOwner())->evaluateIndex(value); }
+  };
+  Index index;
+
+  class Point : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, SFFloat>>> {
+    void update() override { static_cast<ContactsNode*>(getOwner())->evaluatePoint(value); }
+  };
+  Point point;
+
+  static void declare(NodeType& type);
+
+ protected:
+  void onInitialize() override;
+  /// Binds to the shapes at rest; once, and again when the organ's rest shape changes. Throws std::invalid_argument.
+  virtual void bind() = 0;
+  virtual const std::vector<int>& boundPoints() const = 0;
+  /// Where all points of the organ would be now, into `all`, one a point.
+  virtual void follow(std::span<Vec3f> all) = 0;
+  /// What moves the points, beside the inflation.
+  virtual std::vector<Field*> movers() = 0;
+
+ private:
+  bool isBound();
+  void evaluateIndex(std::vector<int>& out);
+  void evaluatePoint(std::vector<Vec3f>& out);
+
+  std::uint64_t boundStamp_ = 0;
+  bool usable_ = false;
+  std::vector<Vec3f> all_;
+};
+
+}  // namespace pleura

@@ -1,0 +1,174 @@
+#include <stdexcept>
+
+#include <pleura/nodes/standard/environmental_effects/background.h>
+#include <pleura/nodes/standard/grouping/transform.h>
+#include <pleura/nodes/standard/navigation/navigation_info.h>
+#include <pleura/x3d/browser/view/billboard_turn.h>
+#include <pleura/x3d/browser/view/light.h>
+#include <pleura/x3d/browser/view/scene_view.h>
+#include <pleura/x3d/browser/view/surface.h>
+#include <pleura/x3d/browser/view/text_style.h>
+
+namespace pleura {
+
+namespace {
+
+/// What of a node's inside is displayed, and how it is placed.
+std::span<const NodePtr> inside(Node& node) {
+  auto* object = dynamic_cast<X3DBoundedObject*>(&node);
+  return object != nullptr ? object->displayed() : std::span<const NodePtr>();
+}
+
+Matrix4f placed(Node& node, const Matrix4f& toWorld) {
+  auto* transform = dynamic_cast<Transform*>(&node);
+  return transform != nullptr ? Matrix4f(toWorld * transform->matrix.getValue()) : toWorld;
+}
+
+template <class T>
+T* bound(Scene& scene, std::string_view kind) {
+  return dynamic_cast<T*>(scene.bindables(kind).top());
+}
+
+}  // namespace
+
+void SceneView::lookFrom(std::string_view viewpoint) {
+  Node& node = scene_.node(viewpoint);
+  if (dynamic_cast<X3DViewpointNode*>(&node) == nullptr)
+    throw std::invalid_argument(node.describe() + " is no viewpoint");
+  chosenViewpoint_ = &node;
+}
+
+render::DrawList& SceneView::update() {
+  ++frame_;
+  findBound();
+  list_.items.clear();
+  list_.lights.clear();
+  list_.overlay.clear();
+  globalLights_ = 0;
+  box_.setEmpty();
+  visitAll(scene_.document().nodes, Matrix4f::Identity(), 0);
+  for (auto& item : list_.items) item.lights |= globalLights_;
+  std::erase_if(drawn_, [&](const auto& each) { return each.second.frame != frame_; });
+  setCamera();
+  setBackground();
+  auto* navigation = bound<NavigationInfo>(scene_, "NavigationInfo");
+  list_.headlight = navigation == nullptr || navigation->headlight.getValue();
+  return list_;
+}
+
+void SceneView::findBound() {
+  boundViewpoint_ = chosenViewpoint_ != nullptr ? chosenViewpoint_ : bound<X3DViewpointNode>(scene_, "Viewpoint");
+  boundBackground_ = bound<X3DBackgroundNode>(scene_, "Background");
+  viewpointToWorld_ = backgroundToWorld_ = Matrix4f::Identity();
+  for (const auto& node : scene_.document().nodes) locate(node, Matrix4f::Identity());
+}
+
+void SceneView::locate(const NodePtr& node, const Matrix4f& toWorld) {
+  if (!node) return;
+  if (node.get() == boundViewpoint_) viewpointToWorld_ = toWorld;
+  if (node.get() == boundBackground_) backgroundToWorld_ = toWorld;
+  const auto children = inside(*node);
+  if (children.empty()) return;
+  const Matrix4f below = placed(*node, toWorld);
+  for (const auto& child : children) locate(child, below);
+}
+
+std::uint32_t SceneView::lightsAmong(std::span<const NodePtr> nodes, const Matrix4f& toWorld) {
+  std::uint32_t mask = 0;
+  for (const auto& node : nodes) {
+    auto* light = dynamic_cast<X3DLightNode*>(node.get());
+    if (light == nullptr || list_.lights.size() >= render::maxLights) continue;
+    const auto on = placedLight(*light, toWorld);
+    if (!on) continue;
+    const std::uint32_t bit = 1u << list_.lights.size();
+    (on->isGlobal ? globalLights_ : mask) |= bit;
+    list_.lights.push_back(on->light);
+  }
+  return mask;
+}
+
+void SceneView::visitAll(std::span<const NodePtr> nodes, const Matrix4f& toWorld, std::uint32_t lights) {
+  lights |= lightsAmong(nodes, toWorld);
+  for (const auto& node : nodes)
+    if (node) visit(node, toWorld, lights);
+}
+
+void SceneView::visit(const NodePtr& node, const Matrix4f& toWorld, std::uint32_t lights) {
+  if (auto* shape = dynamic_cast<X3DShapeNode*>(node.get())) {
+    if (shape->visible.getValue()) addShape(*shape, toWorld, lights);
+    return;
+  }
+  const auto children = inside(*node);
+  if (children.empty()) return;
+  Matrix4f below = placed(*node, toWorld);
+  if (auto* billboard = dynamic_cast<Billboard*>(node.get())) below = toWorld * billboardTurn(*billboard, toWorld, list_.camera.view);
+  visitAll(children, below, lights);
+}
+
+void SceneView::addShape(X3DShapeNode& shape, const Matrix4f& toWorld, std::uint32_t lights) {
+  render::Geometry* geometry = geometryOf(shape.geometry.getValue());
+  if (geometry == nullptr || geometry->indices.empty()) return;
+  const Surface surface = surfaceOf(shape);
+  list_.items.push_back({geometry, toWorld, surface.material, lights, surface.size});
+  for (const auto& p : geometry->positions)
+    box_.extend(toWorld.topLeftCorner<3, 3>() * p + toWorld.topRightCorner<3, 1>());
+}
+
+render::Geometry* SceneView::geometryOf(const NodePtr& node) {
+  auto* geometry = dynamic_cast<X3DGeometryNode*>(node.get());
+  if (geometry == nullptr) return nullptr;
+  Drawn& drawn = drawn_[node.get()];
+  drawn.keepAlive = node;
+  drawn.frame = frame_;
+  if (auto* text = dynamic_cast<Text*>(geometry)) {
+    updateText(drawn, *text);
+    return &drawn.geometry;
+  }
+  const RenderMesh& mesh = geometry->renderMesh();
+  auto& out = drawn.geometry;
+  out.primitive = mesh.primitive == RenderMesh::Primitive::triangles ? render::Primitive::Triangles
+                  : mesh.primitive == RenderMesh::Primitive::lines   ? render::Primitive::Lines
+                                                                     : render::Primitive::Points;
+  out.positions = mesh.positions;
+  out.normals = mesh.normals;
+  out.colors = mesh.colors;
+  out.indices = mesh.indices;
+  out.solid = mesh.solid;
+  out.ccw = mesh.ccw;
+  out.positionsRevision = out.normalsRevision = out.colorsRevision = mesh.vertexRevision;
+  out.indicesRevision = mesh.topologyRevision;
+  return &out;
+}
+
+void SceneView::updateText(Drawn& drawn, Text& text) {
+  const std::uint64_t stamp = textStamp(text);
+  if (stamp == drawn.textStamp) return;
+  drawn.textStamp = stamp;
+  drawn.text = layOut(text);
+  auto& out = drawn.geometry;
+  out.positions = drawn.text.positions;
+  out.indices = drawn.text.indices;
+  out.solid = text.solid.getValue();
+  out.positionsRevision = out.indicesRevision = stamp;
+}
+
+void SceneView::setCamera() {
+  auto* node = dynamic_cast<X3DViewpointNode*>(boundViewpoint_);
+  viewpoint_ = node != nullptr ? placedCamera(*node, viewpointToWorld_, box_) : cameraFor(box_);
+  list_.camera = override_.value_or(viewpoint_.camera);
+}
+
+void SceneView::setBackground() {
+  list_.background = {};
+  auto* node = dynamic_cast<X3DBackgroundNode*>(boundBackground_);
+  if (node == nullptr) return;
+  list_.background.skyColor = node->skyColor.getValue();
+  list_.background.skyAngle = node->skyAngle.getValue();
+  list_.background.groundColor = node->groundColor.getValue();
+  list_.background.groundAngle = node->groundAngle.getValue();
+  if (list_.background.skyColor.empty()) list_.background.skyColor = {RGB::Zero()};
+  const Eigen::Affine3f toWorld(backgroundToWorld_);
+  list_.background.rotation = toWorld.rotation();
+}
+
+}  // namespace pleura

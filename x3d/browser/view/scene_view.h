@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+
+#include <Eigen/Geometry>
+
+#include <pleura/nodes/standard/lighting/x3d_light_node.h>
+#include <pleura/nodes/standard/rendering/x3d_geometry_node.h>
+#include <pleura/nodes/standard/shape/x3d_shape_node.h>
+#include <pleura/nodes/standard/text/text.h>
+#include <pleura/x3d/browser/render/draw_list.h>
+#include <pleura/x3d/browser/render/text_geometry.h>
+#include <pleura/x3d/browser/scene/scene.h>
+#include <pleura/x3d/browser/view/camera.h>
+
+namespace pleura {
+
+/// What there is to see of a scene, as the renderer takes it. Pulls what is displayed, and nothing else: a hidden organ
+/// is not computed. Lives as long as the scene.
+class SceneView {
+ public:
+  explicit SceneView(Scene& scene) : scene_(scene) {}
+
+  /// Looks from that viewpoint instead of the bound one. Throws UnknownNameError, std::invalid_argument when the
+  /// node is no viewpoint.
+  void lookFrom(std::string_view viewpoint);
+  /// Looks through this camera instead; nothing: through the viewpoint again.
+  void lookThrough(std::optional<render::Camera> camera) { override_ = std::move(camera); }
+
+  /// Brings the list up to date with the scene. It stays valid until the next call.
+  render::DrawList& update();
+
+  /// Of update()'s viewpoint, without lookThrough().
+  const PlacedCamera& viewpoint() const { return viewpoint_; }
+  const Eigen::AlignedBox3f& box() const { return box_; }
+
+ private:
+  struct Drawn {
+    NodePtr keepAlive;
+    render::Geometry geometry;
+    render::TextGeometry text;
+    std::uint64_t textStamp = 0;
+    std::uint64_t frame = 0;
+  };
+
+  void findBound();
+  void locate(const NodePtr& node, const Matrix4f& toWorld);
+  void visit(const NodePtr& node, const Matrix4f& toWorld, std::uint32_t lights);
+  void visitAll(std::span<const NodePtr> nodes, const Matrix4f& toWorld, std::uint32_t lights);
+  std::uint32_t lightsAmong(std::span<const NodePtr> nodes, const Matrix4f& toWorld);
+  void addShape(X3DShapeNode& shape, const Matrix4f& toWorld, std::uint32_t lights);
+  render::Geometry* geometryOf(const NodePtr& node);
+  void updateText(Drawn& drawn, Text& text);
+  void setCamera();
+  void setBackground();
+
+  Scene& scene_;
+  std::optional<render::Camera> override_;
+  Node* chosenViewpoint_ = nullptr;
+
+  render::DrawList list_;
+  std::unordered_map<const Node*, Drawn> drawn_;
+  std::uint64_t frame_ = 0;
+  std::uint32_t globalLights_ = 0;
+  Eigen::AlignedBox3f box_;
+  PlacedCamera viewpoint_;
+  Node* boundViewpoint_ = nullptr;
+  Node* boundBackground_ = nullptr;
+  Matrix4f viewpointToWorld_ = Matrix4f::Identity();
+  Matrix4f backgroundToWorld_ = Matrix4f::Identity();
+};
+
+}  // namespace pleura
