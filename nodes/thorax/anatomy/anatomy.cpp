@@ -14,9 +14,11 @@ Anatomy generateAnatomy() {
   anatomy.cartilages = generateCartilages(anatomy.ribs);
   anatomy.sternum = generateSternum();
   anatomy.vertebrae = generateVertebrae();
-  const DiaphragmShape diaphragm;
-  anatomy.diaphragm = generateDiaphragm(diaphragm);
-  anatomy.lungs = generateLungs(anatomy, diaphragm);
+  const std::array<ChestWall, 2> walls{ChestWall(anatomy.ribs, anatomy.cartilages, Side::Left, kPleuralGap),
+                                       ChestWall(anatomy.ribs, anatomy.cartilages, Side::Right, kPleuralGap)};
+  const DiaphragmShape shape;
+  anatomy.diaphragm = generateDiaphragm(shape, walls);
+  anatomy.lungs = generateLungs(anatomy, walls, shape);
   return anatomy;
 }
 

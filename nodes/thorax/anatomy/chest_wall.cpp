@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSmoothing = 1e-6;  // stiffness of the interpolation, against the scatter of single ribs
+constexpr double kSmoothing = 5e-6;  // stiffness of the interpolation, against the scatter of single ribs
 constexpr int kEvery = 2;            // samples of the lines used
 
 double cubed(const Vector3d& v) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pleura/nodes/thorax/anatomy/anatomy.h>
+#include <pleura/nodes/thorax/anatomy/chest_wall.h>
 
 #include <array>
 #include <vector>
@@ -35,7 +36,7 @@ class DiaphragmShape {
   std::array<double, kColumns> tendonEdge_{};
 };
 
-/// The diaphragm as an open sheet of about 2,000 points.
-Diaphragm generateDiaphragm(const DiaphragmShape& shape);
+/// The diaphragm as an open sheet of about 2,000 points, nowhere beyond the walls (left, right) of the cage.
+Diaphragm generateDiaphragm(const DiaphragmShape& shape, const std::array<ChestWall, 2>& walls);
 
 }  // namespace pleura

@@ -2,7 +2,9 @@
 #include <pleura/nodes/thorax/anatomy/implicit_surface.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -60,26 +62,6 @@ void forEachNode(const Vector3i& begin, const Vector3i& end, const Visit& visit)
   }
 }
 
-// The mean of the points where the cell's twelve edges cross the skin; false if none does.
-bool cellPoint(const Grid& grid, const Vector3i& cell, Vector3d& mean) {
-  Vector3d sum = Vector3d::Zero();
-  int crossings = 0;
-  forEachNode(Vector3i::Zero(), Vector3i::Constant(2), [&](const Vector3i& corner) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (corner[axis] == 1) continue;
-      const Vector3i a = cell + corner;
-      const Vector3i b = a + Vector3i::Unit(axis);
-      const double fa = grid.value(a);
-      const double fb = grid.value(b);
-      if ((fa < 0.0) == (fb < 0.0)) continue;
-      sum += grid.at(a) + fa / (fa - fb) * (grid.at(b) - grid.at(a));
-      ++crossings;
-    }
-  });
-  if (crossings > 0) mean = sum / crossings;
-  return crossings > 0;
-}
-
 struct Net {
   std::vector<Vector3d> points;
   std::vector<Vector3i> triangles;
@@ -94,26 +76,109 @@ void addQuad(Net& net, int a, int b, int c, int d) {
   }
 }
 
+// The twelve edges of a cell: edge 4 axis + u + 2 v runs along the axis, u and v tell its place on the next
+// two.
+constexpr int kEdges = 12;
+int edgeOf(int axis, int u, int v) { return 4 * axis + u + 2 * v; }
+
+struct Cell {
+  std::array<bool, kEdges> crossed{};
+  std::array<Vector3d, kEdges> crossing;
+  std::array<int, kEdges> patch;  // the lowest edge of the piece of skin that an edge belongs to
+  bool inside[2][2][2];
+
+  Cell(const Grid& grid, const Vector3i& at) {
+    std::iota(patch.begin(), patch.end(), 0);
+    forEachNode(Vector3i::Zero(), Vector3i::Constant(2), [&](const Vector3i& c) {
+      inside[c.x()][c.y()][c.z()] = grid.value(at + c) < 0.0;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (c[axis] == 0) cross(grid, at + c, axis, edgeOf(axis, c[(axis + 1) % 3], c[(axis + 2) % 3]));
+      }
+    });
+    for (int axis = 0; axis < 3; ++axis) {
+      joinOnFace(axis, 0);
+      joinOnFace(axis, 1);
+    }
+  }
+
+ private:
+  void cross(const Grid& grid, const Vector3i& a, int axis, int edge) {
+    const Vector3i b = a + Vector3i::Unit(axis);
+    const double fa = grid.value(a);
+    const double fb = grid.value(b);
+    crossed[edge] = (fa < 0.0) != (fb < 0.0);
+    if (crossed[edge]) crossing[edge] = grid.at(a) + fa / (fa - fb) * (grid.at(b) - grid.at(a));
+  }
+
+  void join(int e, int f) {
+    const int low = std::min(patch[e], patch[f]);
+    const int high = std::max(patch[e], patch[f]);
+    std::replace(patch.begin(), patch.end(), high, low);
+  }
+
+  // The skin leaves a face of the cell along two of its edges, or, where the corners alternate, cuts off
+  // either inside corner: both cells of the face see the same, so the pieces fit (Nielson 2004, dual marching
+  // cubes).
+  void joinOnFace(int normal, int side) {
+    const int a = (normal + 1) % 3;
+    const int b = (normal + 2) % 3;
+    const auto alongA = [&](int atB) { return edgeOf(a, atB, side); };
+    const auto alongB = [&](int atA) { return edgeOf(b, side, atA); };
+    const auto isInside = [&](int atA, int atB) {
+      Vector3i c;
+      c[normal] = side;
+      c[a] = atA;
+      c[b] = atB;
+      return inside[c.x()][c.y()][c.z()];
+    };
+    const std::array<int, 4> edges{alongA(0), alongA(1), alongB(0), alongB(1)};
+    if (std::all_of(edges.begin(), edges.end(), [&](int e) { return crossed[e]; })) {
+      for (int atA = 0; atA < 2; ++atA) join(alongB(atA), alongA(isInside(atA, 0) ? 0 : 1));
+      return;
+    }
+    int first = -1;
+    for (const int e : edges) {
+      if (crossed[e] && first >= 0) join(first, e);
+      if (crossed[e]) first = e;
+    }
+  }
+};
+
+// A point of the net for every piece of skin in the cell: the mean of its crossings.
+void addPoints(const Cell& cell, Net& net, std::array<int, kEdges>& pointOf) {
+  pointOf.fill(-1);
+  for (int e = 0; e < kEdges; ++e) {
+    if (!cell.crossed[e]) continue;
+    if (cell.patch[e] != e) {
+      pointOf[e] = pointOf[cell.patch[e]];
+      continue;
+    }
+    Vector3d sum = Vector3d::Zero();
+    int count = 0;
+    for (int f = e; f < kEdges; ++f) {
+      if (!cell.crossed[f] || cell.patch[f] != e) continue;
+      sum += cell.crossing[f];
+      ++count;
+    }
+    pointOf[e] = static_cast<int>(net.points.size());
+    net.points.push_back(sum / count);
+  }
+}
+
 Net surfaceNet(const Grid& grid) {
   Net net;
-  std::vector<int> pointOfCell(grid.size(), -1);
-  forEachNode(Vector3i::Zero(), grid.nodes() - Vector3i::Ones(), [&](const Vector3i& cell) {
-    Vector3d point;
-    if (!cellPoint(grid, cell, point)) return;
-    pointOfCell[grid.index(cell)] = static_cast<int>(net.points.size());
-    net.points.push_back(point);
-  });
+  std::vector<std::array<int, kEdges>> pointOf(grid.size());
+  forEachNode(Vector3i::Zero(), grid.nodes() - Vector3i::Ones(),
+              [&](const Vector3i& at) { addPoints(Cell(grid, at), net, pointOf[grid.index(at)]); });
   forEachNode(Vector3i::Ones(), grid.nodes() - Vector3i::Ones(), [&](const Vector3i& node) {
     for (int axis = 0; axis < 3; ++axis) {
       const bool inside = grid.value(node) < 0.0;
       if (inside == (grid.value(node + Vector3i::Unit(axis)) < 0.0)) continue;
-      const Vector3i u = Vector3i::Unit((axis + 1) % 3);
-      const Vector3i v = Vector3i::Unit((axis + 2) % 3);
-      const auto cell = [&](const Vector3i& c) { return pointOfCell[grid.index(c)]; };
-      const int a = cell(node - u - v);
-      const int b = cell(node - v);
-      const int c = cell(node);
-      const int d = cell(node - u);
+      const auto point = [&](int u, int v) {
+        const Vector3i cell = node - u * Vector3i::Unit((axis + 1) % 3) - v * Vector3i::Unit((axis + 2) % 3);
+        return pointOf[grid.index(cell)][edgeOf(axis, u, v)];
+      };
+      const int a = point(1, 1), b = point(0, 1), c = point(0, 0), d = point(1, 0);
       inside ? addQuad(net, a, b, c, d) : addQuad(net, a, d, c, b);
     }
   });
@@ -159,6 +224,12 @@ double roundCone(const Vector3d& point, const Vector3d& a, double ra, const Vect
   const Vector3d axis = b - a;
   const double t = std::clamp((point - a).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
   return (point - a - t * axis).norm() - (ra + t * (rb - ra));
+}
+
+Vector3d nearestOnSkin(const Solid& solid, const Vector3d& point, double longest) {
+  Vector3d moved = point;
+  putOnSkin(solid, moved, longest);
+  return moved;
 }
 
 TriangleMesh skinOf(const Solid& solid, const Eigen::AlignedBox3d& box, double spacing) {

@@ -19,6 +19,9 @@ double smoothIntersection(double a, double b, double k);
 double roundCone(const Eigen::Vector3d& point, const Eigen::Vector3d& a, double ra, const Eigen::Vector3d& b,
                  double rb);
 
+/// One step of Newton's from a point near the skin onto it, no longer than `longest` [m].
+Eigen::Vector3d nearestOnSkin(const Solid& solid, const Eigen::Vector3d& point, double longest);
+
 /// The skin of a solid: closed, normals outwards, triangles of about `spacing` [m] (surface nets, Gibson
 /// 1998; then smoothed along the skin and put back on it). Throws std::invalid_argument if spacing is not
 /// positive or the solid does not lie within the box.

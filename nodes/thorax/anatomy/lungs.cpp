@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSpacing = 0.0045;     // [m] triangle size
-constexpr double kOutlineBlur = 0.010;  // [m] the measured sections' distance
+constexpr double kSpacing = 0.0052;     // [m] triangle size
+constexpr double kOutlineBlur = 0.013;  // [m] the measured sections' distance
 constexpr double kBlur = 0.006;         // [m] rounding of borders and edges
 constexpr double kSeam = 0.002;         // [m] over which the skin turns onto a bone
 constexpr double kGrowth = 0.012;       // [m] the fit's largest gap to the wall, which is to be filled
@@ -52,10 +52,10 @@ Eigen::AlignedBox3d boxOf(Side side) {
 // What bounds one lung; each function is negative on the lung's side [m].
 class Space {
  public:
-  Space(const Anatomy& rest, const DiaphragmShape& shape, Side side)
+  Space(const ChestWall& wall, const DiaphragmShape& shape, Side side)
       : side_(side),
         shape_(shape),
-        wall_(rest.ribs, rest.cartilages, side, kPleuralGap),
+        wall_(wall),
         outline_([sections = LungSections(side)](const Vector3d& p) { return sections.distance(p); },
                  boxOf(side), kOutlineBlur) {}
 
@@ -100,7 +100,7 @@ class Space {
  private:
   Side side_;
   const DiaphragmShape& shape_;
-  ChestWall wall_;
+  const ChestWall& wall_;
   SmoothField outline_;
 };
 
@@ -109,8 +109,9 @@ double tooNear(const SurfaceQuery& surface, const Vector3d& p) {
   return kPleuralGap - (nearest ? nearest->distance : kReach);
 }
 
-Lung generateLung(const Anatomy& rest, const SurfaceQuery& bones, const DiaphragmShape& shape, Side side) {
-  const Space space(rest, shape, side);
+Lung generateLung(const Anatomy& rest, const SurfaceQuery& bones, const ChestWall& wall,
+                  const DiaphragmShape& shape, Side side) {
+  const Space space(wall, shape, side);
   const SurfaceQuery diaphragm(rest.diaphragm.mesh.points, rest.diaphragm.mesh.triangles);
   const Eigen::AlignedBox3d box = boxOf(side);
   const SmoothField smooth([&](const Vector3d& p) { return space(p); }, box, kBlur);
@@ -135,9 +136,11 @@ Lung generateLung(const Anatomy& rest, const SurfaceQuery& bones, const Diaphrag
 
 }  // namespace
 
-std::vector<Lung> generateLungs(const Anatomy& rest, const DiaphragmShape& shape) {
+std::vector<Lung> generateLungs(const Anatomy& rest, const std::array<ChestWall, 2>& walls,
+                                const DiaphragmShape& shape) {
   const SurfaceQuery bones = bonesOf(rest);
-  return {generateLung(rest, bones, shape, Side::Left), generateLung(rest, bones, shape, Side::Right)};
+  return {generateLung(rest, bones, walls[0], shape, Side::Left),
+          generateLung(rest, bones, walls[1], shape, Side::Right)};
 }
 
 }  // namespace pleura

@@ -12,6 +12,7 @@ inline constexpr double kPleuralGap = 0.0015;  // [m]
 
 /// Left and right lung: the measured outlines towards heart and spine (measurements/lungs.csv), elsewhere
 /// grown out to the chest wall and down to the diaphragm. `rest` has everything but the lungs.
-std::vector<Lung> generateLungs(const Anatomy& rest, const DiaphragmShape& shape);
+std::vector<Lung> generateLungs(const Anatomy& rest, const std::array<ChestWall, 2>& walls,
+                                const DiaphragmShape& shape);
 
 }  // namespace pleura

@@ -13,9 +13,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kRings = 44;
+constexpr int kRings = 38;
 constexpr int kSectors = 12;
 constexpr int kStations = 16;
+
+// Where the end face is oblique (rib 1), the last centre lies aside and would fold the tube: go on straight
+// instead.
+void straightenEnd(std::vector<TubeStation>& stations) {
+  constexpr double kFoldingCosine = 0.7;
+  Vector3d& end = stations.back().centre;
+  const Vector3d& before = stations.end()[-2].centre;
+  const Vector3d forwards = (before - stations.end()[-3].centre).normalized();
+  const Vector3d last = end - before;
+  if (forwards.dot(last) < kFoldingCosine * last.norm()) end = before + last.norm() * forwards;
+}
 
 Tube ribTube(const Table& stations, std::size_t firstRow) {
   std::vector<TubeStation> tube(kStations);
@@ -25,6 +36,7 @@ Tube ribTube(const Table& stations, std::size_t firstRow) {
                1e-3 * stations.number(row, "half_major_mm"), 1e-3 * stations.number(row, "half_minor_mm"),
                stations.direction(row, "major_")};
   }
+  straightenEnd(tube);
   return Tube(std::move(tube));
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSpacing = 0.0025;  // [m] triangle size
+constexpr double kSpacing = 0.0036;  // [m] triangle size
 constexpr double kSeam = 0.006;      // [m] width over which the three parts grow together
 
 // A horizontal section: a super-ellipse bent so that its borders lie where they were measured.
