@@ -1,6 +1,6 @@
-#include <pleura/nodes/thorax/motion/hemithorax.h>
-
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/hemithorax.h>
 
 namespace pleura {
 namespace {
@@ -96,11 +96,11 @@ Hemithorax buildHemithorax(const Anatomy& anatomy, const CageMotion& cage, Side 
 }
 
 void displaceFollowers(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-                       std::span<const WallFollower> followers, double inflation,
+                       std::span<const WallFollower> followers, double contraction,
                        std::span<Eigen::Vector4f> displacement) {
   for (const WallFollower& f : followers) {
     displacement[static_cast<std::size_t>(f.index)] =
-        followWall(half.wall, wallNow, half.slide, f.place, inflation) - f.place.rest;
+        followWall(half.wall, wallNow, half.slide, f.place, contraction) - f.place.rest;
   }
 }
 
