@@ -4,10 +4,10 @@
 namespace pleura {
 
 DepthPeeling::DepthPeeling(const GlFunctions& gl, const std::string& header)
-    : gl_(gl), peel_(gl, header, shaders::peelFragment), anything_(gl) {}
+    : gl_(gl), peel_(gl, header, shaders::peelFragment, SurfacePass::Variants::OnlyOne), anything_(gl) {}
 
-int DepthPeeling::draw(const RenderTarget& target, std::span<const SurfaceDraw> surfaces,
-                       const FrameUniforms& frame, SurfacePass& shaded) {
+int DepthPeeling::draw(const RenderTarget& target, std::span<const SurfaceDraw> surfaces, const Frame& frame,
+                       SurfacePass& shaded) {
   if (surfaces.empty()) return 0;
   int layers = 0, from = 0, to = 1;
   while (layers < maxLayers && findLayer(target, from, to, surfaces, frame)) {
@@ -20,7 +20,7 @@ int DepthPeeling::draw(const RenderTarget& target, std::span<const SurfaceDraw> 
 }
 
 bool DepthPeeling::findLayer(const RenderTarget& target, int from, int to,
-                             std::span<const SurfaceDraw> surfaces, const FrameUniforms& frame) {
+                             std::span<const SurfaceDraw> surfaces, const Frame& frame) {
   target.bind(to);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, target.depth(from));
@@ -29,9 +29,8 @@ bool DepthPeeling::findLayer(const RenderTarget& target, int from, int to,
   gl_.DepthFunc(GL_GREATER);
   gl_.ClearDepth(0);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
-  peel_.begin(frame);
   gl_.BeginQuery(GL_SAMPLES_PASSED, anything_);
-  for (const SurfaceDraw& surface : surfaces) peel_.draw(surface);
+  for (const SurfaceDraw& surface : surfaces) peel_.draw(surface, frame);
   gl_.EndQuery(GL_SAMPLES_PASSED);
   gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   GLuint samples = 0;
@@ -39,14 +38,13 @@ bool DepthPeeling::findLayer(const RenderTarget& target, int from, int to,
   return samples > 0;
 }
 
-void DepthPeeling::blendLayer(std::span<const SurfaceDraw> surfaces, const FrameUniforms& frame,
+void DepthPeeling::blendLayer(std::span<const SurfaceDraw> surfaces, const Frame& frame,
                               SurfacePass& shaded) const {
   gl_.DepthMask(GL_FALSE);
   gl_.DepthFunc(GL_EQUAL);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  shaded.begin(frame);
-  for (const SurfaceDraw& surface : surfaces) shaded.draw(surface);
+  for (const SurfaceDraw& surface : surfaces) shaded.draw(surface, frame);
   gl_.Disable(GL_BLEND);
 }
 

@@ -22,14 +22,13 @@ class DepthPeeling {
 
   /// Blends the surfaces over what `target` holds, with `shaded` as the pass that gives their colour. Gives
   /// the number of layers.
-  int draw(const RenderTarget& target, std::span<const SurfaceDraw> surfaces, const FrameUniforms& frame,
+  int draw(const RenderTarget& target, std::span<const SurfaceDraw> surfaces, const Frame& frame,
            SurfacePass& shaded);
 
  private:
   bool findLayer(const RenderTarget& target, int from, int to, std::span<const SurfaceDraw> surfaces,
-                 const FrameUniforms& frame);
-  void blendLayer(std::span<const SurfaceDraw> surfaces, const FrameUniforms& frame,
-                  SurfacePass& shaded) const;
+                 const Frame& frame);
+  void blendLayer(std::span<const SurfaceDraw> surfaces, const Frame& frame, SurfacePass& shaded) const;
 
   const GlFunctions& gl_;
   SurfacePass peel_;

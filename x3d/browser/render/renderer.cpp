@@ -62,12 +62,12 @@ struct Renderer::Implementation {
         geometries(gl),
         lights(gl),
         background(gl, version),
-        shaded(gl, version, shaders::surfaceFragment),
+        shaded(gl, version, std::string(shaders::surfaceFragment) + shaders::surfaceOutput),
         peeling(gl, peelHeader(perSample)),
         overlay(gl, version) {}
 
   void collectSurfaces(const DrawList& list);
-  void drawOpaque(const FrameUniforms& frame);
+  void drawOpaque(const DrawList& list, const Frame& frame);
 
   GlContext& context;
   GlFunctions gl;
@@ -104,16 +104,19 @@ void Renderer::Implementation::collectSurfaces(const DrawList& list) {
   geometries.collect();
 }
 
-void Renderer::Implementation::drawOpaque(const FrameUniforms& frame) {
+void Renderer::Implementation::drawOpaque(const DrawList& list, const Frame& frame) {
   target->bind(0);
   gl.Viewport(0, 0, target->width(), target->height());
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
   gl.DepthFunc(GL_LESS);
+  const Eigen::Vector3f& sky = list.background.skyColor.front();
+  gl.ClearColor(sky.x(), sky.y(), sky.z(), 1);
   gl.ClearDepth(1);
-  gl.Clear(GL_DEPTH_BUFFER_BIT);
-  shaded.begin(frame);
-  for (const SurfaceDraw& surface : opaque) shaded.draw(surface);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  for (const SurfaceDraw& surface : opaque) shaded.draw(surface, frame);
+  gl.DepthFunc(GL_LEQUAL);
+  background.draw(list.background, list.camera, target->width(), target->height());
 }
 
 void Renderer::draw(const DrawList& list, int width, int height) {
@@ -126,11 +129,9 @@ void Renderer::draw(const DrawList& list, int width, int height) {
   if (!self.target || self.target->width() != width || self.target->height() != height)
     self.target.emplace(self.gl, width, height, self.samples);
 
-  const FrameUniforms frame{list.camera.view, projection, list.camera.orthographic.has_value(),
-                            self.lights.update(list), list.headlight};
-  self.drawOpaque(frame);
-  self.gl.DepthFunc(GL_LEQUAL);
-  self.background.draw(list.background, list.camera, width, height);
+  const Frame frame{list.camera.view, projection, list.camera.orthographic.has_value(), list.headlight,
+                    self.lights.update(list)};
+  self.drawOpaque(list, frame);
   self.stats.transparentLayers = self.peeling.draw(*self.target, self.transparent, frame, self.shaded);
   self.stats.draws =
       static_cast<int>(self.opaque.size() + self.transparent.size() * (2 * self.stats.transparentLayers + 1));

@@ -25,71 +25,71 @@ void main() {
 }
 )";
 
-/// X3D 4.0 lighting (ISO/IEC 19775-1, 17.2.2.4), in view space, where the viewer is at the origin:
+/// X3D 4.0 lighting (ISO/IEC 19775-1, 17.2.2.4) in view space, where the viewer is at the origin:
 /// I = O_E + sum over lights of attenuation * spot * I_L * (ambient + diffuse + specular).
+/// What an item does not need is left out when its variant is compiled; software OpenGL pays for every
+/// branch: LIGHTS, lightKind[] (0 directional, 1 point, 2 spot, 3 off) and the flags LIT SPECULAR FACETED
+/// COLORED PARALLEL.
 inline constexpr const char* surfaceFragment = R"(
 struct Light {
   vec4 colorIntensity;
-  vec4 directionKind;       // kind: 0 directional, 1 point, 2 spot
+  vec4 direction;
   vec4 locationRadius;
   vec4 attenuationAmbient;
   vec4 beamWidthCutOffAngle;
 };
 layout(std140) uniform Lights { Light lights[16]; };
-uniform int lightCount;
-uniform uint lightMask;
 uniform vec4 diffuseAlpha;
 uniform vec4 specularExponent;
 uniform vec4 emissiveAmbient;
-uniform bool lit;
-uniform bool faceted;
-uniform bool colored;
-uniform bool parallelView;
 in vec3 viewPosition;
 in vec3 viewNormal;
 in vec4 vertexColor;
-out vec4 pixel;
 
 vec3 surfaceNormal() {
-  if (faceted) return normalize(cross(dFdx(viewPosition), dFdy(viewPosition)));
-  vec3 n = viewNormal / max(length(viewNormal), 1e-20);
+  if (FACETED) return normalize(cross(dFdx(viewPosition), dFdy(viewPosition)));
+  vec3 n = viewNormal * inversesqrt(max(dot(viewNormal, viewNormal), 1e-30));
   return gl_FrontFacing ? n : -n;
 }
 
-vec3 shine(Light light, vec3 N, vec3 V, vec3 diffuse) {
-  vec3 axis = light.directionKind.xyz;
-  vec3 L = -axis;
+vec3 shine(Light light, int kind, vec3 N, vec3 V, vec3 diffuse) {
+  vec3 L = -light.direction.xyz;
   float strength = 1;
-  if (light.directionKind.w > 0) {
+  if (kind >= 1) {
     vec3 toLight = light.locationRadius.xyz - viewPosition;
     float d = length(toLight);
     L = toLight / max(d, 1e-20);
     vec3 c = light.attenuationAmbient.xyz;
     strength = d > light.locationRadius.w ? 0 : 1 / max(c.x + c.y * d + c.z * d * d, 1);
   }
-  if (light.directionKind.w > 1) {
+  if (kind == 2) {
     float beamWidth = light.beamWidthCutOffAngle.x, cutOffAngle = light.beamWidthCutOffAngle.y;
-    float spotAngle = acos(clamp(dot(-L, axis), -1, 1));
-    strength *= spotAngle <= beamWidth ? 1 : clamp((spotAngle - cutOffAngle) / min(beamWidth - cutOffAngle, -1e-6), 0, 1);
+    float spotAngle = acos(clamp(dot(-L, light.direction.xyz), -1, 1));
+    float spot = clamp((spotAngle - cutOffAngle) / min(beamWidth - cutOffAngle, -1e-6), 0, 1);
+    strength *= spotAngle <= beamWidth ? 1 : spot;
   }
   float NL = dot(N, L);
   vec3 ambient = light.attenuationAmbient.w * emissiveAmbient.w * diffuse;
   vec3 reflected = max(NL, 0) * diffuse;
-  if (NL > 0) reflected += specularExponent.rgb * pow(max(dot(N, normalize(L + V)), 0), specularExponent.a);
+  if (SPECULAR && NL > 0)
+    reflected += specularExponent.rgb * pow(max(dot(N, normalize(L + V)), 0), specularExponent.a);
   return strength * light.colorIntensity.rgb * (ambient + light.colorIntensity.a * reflected);
 }
 
-void main() {
-  vec4 diffuse = colored ? vertexColor : diffuseAlpha;
-  if (!lit) {
-    pixel = colored ? vertexColor : vec4(emissiveAmbient.rgb, diffuseAlpha.a);
-    return;
-  }
-  vec3 N = surfaceNormal(), V = parallelView ? vec3(0, 0, 1) : normalize(-viewPosition), I = emissiveAmbient.rgb;
-  for (int i = 0; i < lightCount; ++i)
-    if ((lightMask >> uint(i) & 1u) != 0u) I += shine(lights[i], N, V, diffuse.rgb);
-  pixel = vec4(min(I, 1), diffuse.a);
+vec4 surfaceColor() {
+  if (!LIT) return COLORED ? vertexColor : vec4(emissiveAmbient.rgb, diffuseAlpha.a);
+  vec4 diffuse = COLORED ? vertexColor : diffuseAlpha;
+  vec3 N = surfaceNormal(), V = PARALLEL ? vec3(0, 0, 1) : normalize(-viewPosition), I = emissiveAmbient.rgb;
+  for (int i = 0; i < LIGHTS; ++i)
+    if (lightKind[i] != 3) I += shine(lights[i], lightKind[i], N, V, diffuse.rgb);
+  return vec4(min(I, 1), diffuse.a);
 }
+)";
+
+inline constexpr const char* surfaceOutput = R"(
+out vec4 pixel;
+
+void main() { pixel = surfaceColor(); }
 )";
 
 /// Lets pass what lies in front of the layer peeled before, sample by sample.
