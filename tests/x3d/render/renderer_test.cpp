@@ -61,7 +61,6 @@ TEST_F(RendererTest, TranslucentStackHasTheRightColorInAnyOrder) {
     std::shuffle(list.items.begin(), list.items.end(), random);
     const Eigen::Vector3f error = centerPixel(list).cast<float>() - expected;
     EXPECT_LE(error.cwiseAbs().maxCoeff(), 2) << "order " << trial;
-    EXPECT_EQ(renderer.stats().transparentLayers, 8);
   }
 }
 

@@ -2,21 +2,34 @@
 #include <pleura/x3d/browser/render/shaders.h>
 
 namespace pleura {
+namespace {
 
-DepthPeeling::DepthPeeling(const GlFunctions& gl, const std::string& header)
-    : gl_(gl), peel_(gl, header, shaders::peelFragment, SurfacePass::Variants::OnlyOne), anything_(gl) {}
+constexpr const char* version = "#version 330 core\n";
 
-int DepthPeeling::draw(const RenderTarget& target, std::span<const SurfaceDraw> surfaces, const Frame& frame,
-                       SurfacePass& shaded) {
-  if (surfaces.empty()) return 0;
+std::string peelHeader(bool perSample) {
+  if (!perSample) return std::string(version) + "#define SAMPLE 0\n";
+  return std::string(version) + "#extension GL_ARB_sample_shading : require\n#define SAMPLE gl_SampleID\n";
+}
+
+}  // namespace
+
+DepthPeeling::DepthPeeling(const GlFunctions& gl, bool perSample)
+    : gl_(gl),
+      peel_(gl, peelHeader(perSample), shaders::peelFragment, SurfacePass::Variants::OnlyOne),
+      shaded_(gl, version, std::string(shaders::surfaceFragment) + shaders::surfaceOutput),
+      anything_(gl) {}
+
+int DepthPeeling::draw(const RenderTarget& target, std::span<const SurfaceDraw> surfaces,
+                       const Frame& frame) {
   int layers = 0, from = 0, to = 1;
   while (layers < maxLayers && findLayer(target, from, to, surfaces, frame)) {
-    blendLayer(surfaces, frame, shaded);
+    blendLayer(surfaces, frame);
     ++layers;
     from = to;
     to = 3 - to;
   }
-  return layers;
+  target.resolve();
+  return static_cast<int>(surfaces.size()) * (2 * layers + 1);
 }
 
 bool DepthPeeling::findLayer(const RenderTarget& target, int from, int to,
@@ -38,13 +51,12 @@ bool DepthPeeling::findLayer(const RenderTarget& target, int from, int to,
   return samples > 0;
 }
 
-void DepthPeeling::blendLayer(std::span<const SurfaceDraw> surfaces, const Frame& frame,
-                              SurfacePass& shaded) const {
+void DepthPeeling::blendLayer(std::span<const SurfaceDraw> surfaces, const Frame& frame) {
   gl_.DepthMask(GL_FALSE);
   gl_.DepthFunc(GL_EQUAL);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  for (const SurfaceDraw& surface : surfaces) shaded.draw(surface, frame);
+  for (const SurfaceDraw& surface : surfaces) shaded_.draw(surface, frame);
   gl_.Disable(GL_BLEND);
 }
 

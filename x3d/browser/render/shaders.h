@@ -101,7 +101,88 @@ void main() {
 }
 )";
 
+/// The lists of FragmentLists, one a pixel; 0 ends a list, i stands for fragments[i - 1].
+inline constexpr const char* fragmentListBuffers = R"(
+struct Fragment {
+  uint color;  // RGBA, 8 bits each
+  float depth;
+  uint coverage;  // bit s: sample s
+  uint next;
+};
+layout(std430, binding = 0) buffer Heads { uint heads[]; };
+layout(std430, binding = 1) buffer Fragments {
+  uint count;
+  uint capacity;
+  uint width;
+  uint padding;
+  Fragment fragments[];
+};
+
+uint pixelIndex() { return uint(gl_FragCoord.y) * width + uint(gl_FragCoord.x); }
+)";
+
+inline constexpr const char* fragmentListOutput = R"(
+layout(early_fragment_tests) in;
+
+void main() {
+  uint color = packUnorm4x8(surfaceColor());
+  uint i = atomicAdd(count, 1u) + 1u;
+  if (i > capacity) return;
+  uint next = atomicExchange(heads[pixelIndex()], i);
+  fragments[i - 1u] = Fragment(color, gl_FragCoord.z, uint(gl_SampleMaskIn[0]), next);
+}
+)";
+
+/// Walks the list once for each of its fragments, from the farthest: lists are short, and no length is too
+/// long. Fragments of one depth follow in the order they were drawn.
+inline constexpr const char* fragmentListBlend = R"(
+uniform sampler2DMS opaqueColor;
+uniform sampler2DMS opaqueDepth;
+out vec4 pixel;
+
+uint nextNearer(uint head, uint last, float lastDepth) {
+  uint found = 0u;
+  float depth = -1;
+  for (uint i = head; i != 0u; i = fragments[i - 1u].next) {
+    float z = fragments[i - 1u].depth;
+    bool nearer = z < lastDepth || (z == lastDepth && i > last);
+    if (nearer && (z > depth || (z == depth && i < found))) {
+      found = i;
+      depth = z;
+    }
+  }
+  return found;
+}
+
+void main() {
+  uint head = heads[pixelIndex()];
+  if (head == 0u) discard;
+  vec3 C[SAMPLES];
+  float opaque[SAMPLES];
+  for (int s = 0; s < SAMPLES; ++s) {
+    C[s] = texelFetch(opaqueColor, ivec2(gl_FragCoord.xy), s).rgb;
+    opaque[s] = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), s).r;
+  }
+  for (uint i = nextNearer(head, 0u, 2); i != 0u; i = nextNearer(head, i, fragments[i - 1u].depth)) {
+    vec4 c = unpackUnorm4x8(fragments[i - 1u].color);
+    for (int s = 0; s < SAMPLES; ++s)
+      if ((fragments[i - 1u].coverage >> s & 1u) != 0u && fragments[i - 1u].depth < opaque[s]) C[s] = mix(C[s], c.rgb, c.a);
+  }
+  vec3 sum = vec3(0);
+  for (int s = 0; s < SAMPLES; ++s) sum += C[s];
+  pixel = vec4(sum / SAMPLES, 1);
+}
+)";
+
 /// A triangle over the whole picture, at the far plane, with no vertex data.
+inline constexpr const char* wholePictureVertex = R"(
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1);
+  gl_Position = vec4(corner, 1, 1);
+}
+)";
+
+/// The same with the direction seen at each pixel.
 inline constexpr const char* backgroundVertex = R"(
 uniform vec2 tangents;  // of half the picture's width and height
 uniform mat3 rotation;  // view to background space
