@@ -143,6 +143,7 @@ void opaqueByRenderer(benchmark::State& state) {
   const BallScene scene;
   Renderer renderer(*context, {samples});
   renderer.draw(scene.list, width, height);  // compiles
+  gl.Finish();
   for (auto _ : state) {
     renderer.draw(scene.list, width, height);
     gl.Finish();
@@ -158,6 +159,7 @@ void opaqueByBareLoop(benchmark::State& state) {
   const Image image = renderer.readImage();
   BareLoop loop(gl, scene);
   loop.draw();  // compiles
+  gl.Finish();
   for (auto _ : state) {
     loop.draw();
     gl.Finish();
@@ -188,6 +190,7 @@ void breathingThorax(benchmark::State& state) {
         {&rib.geometry, test::translation(-1.8f + 0.3f * static_cast<float>(i / 2), 0, i % 2 == 0 ? 1 : -1)});
   Renderer renderer(*context, {samples});
   renderer.draw(list, width, height);  // compiles
+  gl.Finish();
   for (auto _ : state) {
     for (test::Shape& lung : lungs) {
       ++lung.geometry.positionsRevision;

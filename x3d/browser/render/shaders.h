@@ -133,41 +133,61 @@ void main() {
 }
 )";
 
-/// Walks the list once for each of its fragments, from the farthest: lists are short, and no length is too
-/// long. Fragments of one depth follow in the order they were drawn.
+/// Blends a pixel's list from the farthest, BATCH fragments a walk through the list: they are sorted in registers, which
+/// software OpenGL needs to be fast, and no list is too long. Fragments of one depth follow in the order they were drawn.
 inline constexpr const char* fragmentListBlend = R"(
+const int BATCH = 8;
 uniform sampler2DMS opaqueColor;
 uniform sampler2DMS opaqueDepth;
 out vec4 pixel;
+vec3 C[SAMPLES];
+float opaque[SAMPLES];
+float depths[BATCH];  // falling; below 0 where there is no fragment
+uint found[BATCH];
 
-uint nextNearer(uint head, uint last, float lastDepth) {
-  uint found = 0u;
-  float depth = -1;
-  for (uint i = head; i != 0u; i = fragments[i - 1u].next) {
+/// Finds the farthest fragments that stand before fragment `last`.
+void findBatch(uint head, uint last, float lastDepth) {
+  for (int j = 0; j < BATCH; ++j) depths[j] = -1;
+  for (uint next, i = head; i != 0u; i = next) {
+    next = fragments[i - 1u].next;
+    uint n = i;
     float z = fragments[i - 1u].depth;
-    bool nearer = z < lastDepth || (z == lastDepth && i > last);
-    if (nearer && (z > depth || (z == depth && i < found))) {
-      found = i;
-      depth = z;
+    if (!(z < lastDepth || (z == lastDepth && i > last))) z = -1;
+    for (int j = 0; j < BATCH; ++j) {
+      bool before = z >= depths[j];
+      float shiftedDepth = before ? depths[j] : z;
+      uint shifted = before ? found[j] : n;
+      depths[j] = before ? z : depths[j];
+      found[j] = before ? n : found[j];
+      z = shiftedDepth;
+      n = shifted;
     }
   }
-  return found;
+}
+
+void blend(uint i, float z) {
+  vec4 c = unpackUnorm4x8(fragments[i - 1u].color);
+  uint coverage = fragments[i - 1u].coverage;
+  for (int s = 0; s < SAMPLES; ++s)
+    C[s] = mix(C[s], c.rgb, (coverage >> s & 1u) != 0u && z < opaque[s] ? c.a : 0);
 }
 
 void main() {
   uint head = heads[pixelIndex()];
   if (head == 0u) discard;
-  vec3 C[SAMPLES];
-  float opaque[SAMPLES];
   for (int s = 0; s < SAMPLES; ++s) {
     C[s] = texelFetch(opaqueColor, ivec2(gl_FragCoord.xy), s).rgb;
     opaque[s] = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), s).r;
   }
-  for (uint i = nextNearer(head, 0u, 2); i != 0u; i = nextNearer(head, i, fragments[i - 1u].depth)) {
-    vec4 c = unpackUnorm4x8(fragments[i - 1u].color);
-    for (int s = 0; s < SAMPLES; ++s)
-      if ((fragments[i - 1u].coverage >> s & 1u) != 0u && fragments[i - 1u].depth < opaque[s]) C[s] = mix(C[s], c.rgb, c.a);
-  }
+  uint last = 0u;
+  float lastDepth = 2;
+  do {
+    findBatch(head, last, lastDepth);
+    for (int j = 0; j < BATCH; ++j)
+      if (depths[j] >= 0) blend(found[j], depths[j]);
+    last = found[BATCH - 1];
+    lastDepth = depths[BATCH - 1];
+  } while (lastDepth >= 0);
   vec3 sum = vec3(0);
   for (int s = 0; s < SAMPLES; ++s) sum += C[s];
   pixel = vec4(sum / SAMPLES, 1);
