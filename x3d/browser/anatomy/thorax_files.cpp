@@ -94,7 +94,8 @@ class ThoraxWriter {
   std::vector<NodePtr> addRibs() {
     std::vector<NodePtr> nodes;
     for (const auto& rib : anatomy_.ribs) {
-      const auto& angles = measuredRibAngles(sign(rib.side))[static_cast<std::size_t>(rib.number - 1)];
+      const auto side = measuredRibAngles(sign(rib.side));
+      const RibAngles& angles = side[static_cast<std::size_t>(rib.number - 1)];
       const auto node = maker_.make("RotTransform", rib.name);
       maker_.set<SFVec3f>(node, "angles", Vec3d(angles.pump, angles.bucket, angles.side).cast<float>());
       maker_.set<SFVec3f>(node, "center", rounded(rib.head));

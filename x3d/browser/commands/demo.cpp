@@ -123,7 +123,7 @@ void runDemo(const Options& options) {
     if (now >= kDeepFrom) scene->set(now < kDeepUntil ? "BREATH.depth=1" : "BREATH.depth=0.142857");
     playback.runUntil(now, [&](Time time) { table.add(time); });
     const auto start = std::chrono::steady_clock::now();
-    const auto picture = view.picture();
+    const auto picture = view->picture();
     drawing.push_back(
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     film.write(picture);

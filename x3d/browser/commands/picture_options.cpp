@@ -23,9 +23,9 @@ int PictureOptions::side(int index) const {
   throw UsageError("--size: expected WIDTHxHEIGHT, 1 to 8192 pixels each, found " + size);
 }
 
-OffscreenView PictureOptions::view(Scene& scene) const {
-  OffscreenView view(scene, width(), height());
-  if (!viewpoint.empty()) view.view().lookFrom(viewpoint);
+std::unique_ptr<OffscreenView> PictureOptions::view(Scene& scene) const {
+  auto view = std::make_unique<OffscreenView>(scene, width(), height());
+  if (!viewpoint.empty()) view->view().lookFrom(viewpoint);
   return view;
 }
 

@@ -23,7 +23,7 @@ struct Options : SceneOptions {
 
 void renderStill(const Options& options, Scene& scene, Playback& playback) {
   playback.runUntil(options.at);
-  render::writePng(options.picture.view(scene).picture(), options.output);
+  render::writePng(options.picture.view(scene)->picture(), options.output);
 }
 
 /// Frames to a film or to numbered pictures in a folder; the clock steps with the frames unless --step is
@@ -42,7 +42,7 @@ void renderFrames(const Options& options, Scene& scene, Playback& playback) {
   const auto frames = static_cast<int>(std::floor(options.seconds * options.framesPerSecond + 1e-9));
   for (int frame = 0; frame <= frames; ++frame) {
     playback.runUntil(frame / options.framesPerSecond);
-    const auto picture = view.picture();
+    const auto picture = view->picture();
     isFilm ? film->write(picture)
            : render::writePng(picture, options.output / fmt::format("{:05}.png", frame));
     progress.show(static_cast<double>(frame) / std::max(1, frames));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <pleura/x3d/browser/view/player.h>
