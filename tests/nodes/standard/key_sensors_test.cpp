@@ -13,18 +13,19 @@ using Kind = KeyEvent::Kind;
 class KeySensors : public ::testing::Test {
  protected:
   void type(const std::string& character) {
-    context.key({Kind::character, true, character});
-    context.key({Kind::character, false, character});
+    context.key({Kind::character, true, character, 0});
+    context.key({Kind::character, false, character, 0});
   }
+  void modifier(Kind kind, bool pressed) { context.key({kind, pressed, "", 0}); }
   TestContext context;
 };
 
 TEST_F(KeySensors, TellWhichKeyWentDownAndUp) {
   const auto node = context.make<KeySensor>();
   Recorder<SFString> presses(node->keyPress), releases(node->keyRelease);
-  context.key({Kind::character, true, "p"});
+  context.key({Kind::character, true, "p", 0});
   EXPECT_TRUE(node->isActive.getValue());
-  context.key({Kind::character, false, "p"});
+  context.key({Kind::character, false, "p", 0});
   EXPECT_FALSE(node->isActive.getValue());
   type("p");
   EXPECT_EQ(presses.values, (std::vector<std::string>{"p", "p"}));
@@ -32,9 +33,9 @@ TEST_F(KeySensors, TellWhichKeyWentDownAndUp) {
   context.key({Kind::action, true, "", static_cast<int>(ActionKey::home)});
   EXPECT_EQ(node->actionKeyPress.getValue(), 13);
   EXPECT_EQ(node->actionKeyRelease.getValue(), 0);
-  context.key({Kind::shift, true});
-  context.key({Kind::control, true});
-  context.key({Kind::shift, false});
+  modifier(Kind::shift, true);
+  modifier(Kind::control, true);
+  modifier(Kind::shift, false);
   EXPECT_FALSE(node->shiftKey.getValue());
   EXPECT_TRUE(node->controlKey.getValue());
   EXPECT_FALSE(node->altKey.getValue());
@@ -42,7 +43,7 @@ TEST_F(KeySensors, TellWhichKeyWentDownAndUp) {
 
 TEST_F(KeySensors, HearNothingWhileDisabledOrGone) {
   auto node = context.make<KeySensor>();
-  context.key({Kind::character, true, "a"});
+  context.key({Kind::character, true, "a", 0});
   node->enabled.setValue(false);
   EXPECT_FALSE(node->isActive.getValue());
   Recorder<SFString> presses(node->keyPress);
