@@ -78,8 +78,7 @@ bool belongsToTheEncoding(const std::string& field) {
   return names.contains(field);
 }
 
-/// FontStyle.style is a field although the encoding has an attribute of that name, which the model leaves
-/// out.
+/// FontStyle.style is a field of X3D and takes the place of the encoding's attribute of that name.
 bool isFieldAfterAll(const std::string& type, const std::string& field) {
   return type == "FontStyle" && field == "style";
 }
