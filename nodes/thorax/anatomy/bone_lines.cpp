@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <pleura/nodes/deformable/mesh/components.h>
+#include <pleura/nodes/deformable/mesh/repair.h>
 #include <pleura/nodes/deformable/mesh/topology.h>
 #include <pleura/nodes/thorax/anatomy/bone_lines.h>
 #include <pleura/nodes/thorax/anatomy/inner_line.h>
@@ -39,6 +41,7 @@ int farthest(const std::vector<float>& distance) {
   return static_cast<int>(std::max_element(distance.begin(), distance.end()) - distance.begin());
 }
 
+// Without the first and the last slice, whose place the ends take.
 std::vector<Vector3d> sliceMiddles(const TriangleMesh& mesh, const std::vector<float>& distance, int slices) {
   const float length = distance[farthest(distance)];
   std::vector<Vector3d> sum(slices, Vector3d::Zero());
@@ -50,7 +53,7 @@ std::vector<Vector3d> sliceMiddles(const TriangleMesh& mesh, const std::vector<f
     ++count[slice];
   }
   std::vector<Vector3d> middles;
-  for (int k = 0; k < slices; ++k) {
+  for (int k = 1; k + 1 < slices; ++k) {
     if (count[k] > 0) middles.push_back(sum[k] / count[k]);
   }
   return middles;
@@ -89,16 +92,23 @@ std::vector<Vector3f> innerPoints(const TriangleMesh& mesh, const std::vector<Ve
 
 }  // namespace
 
+TriangleMesh largestPiece(const TriangleMesh& mesh) {
+  const std::vector<Component> pieces = components(mesh.triangles);
+  if (pieces.empty()) throw std::invalid_argument("largestPiece: mesh: no triangles");
+  const auto largest = std::max_element(
+      pieces.begin(), pieces.end(),
+      [](const Component& a, const Component& b) { return a.triangles.size() < b.triangles.size(); });
+  TriangleMesh piece{mesh.points, gather(mesh.triangles, largest->triangles)};
+  removeUnreferencedPoints(piece);
+  return piece;
+}
+
 BoneLines boneLines(const TriangleMesh& mesh, const Vector3f& start, Side side, int samples) {
-  if (mesh.triangles.empty()) throw std::invalid_argument("boneLines: mesh: empty");
   const Adjacency around = neighbours(mesh.points.size(), mesh.triangles);
   const int oneEnd = farthest(distancesFrom(0, mesh, around));
   const int otherEnd = farthest(distancesFrom(oneEnd, mesh, around));
   const bool oneIsStart = (mesh.points[oneEnd] - start).norm() < (mesh.points[otherEnd] - start).norm();
   const std::vector<float> distance = distancesFrom(oneIsStart ? oneEnd : otherEnd, mesh, around);
-  if (distance[farthest(distance)] == std::numeric_limits<float>::max()) {
-    throw std::invalid_argument("boneLines: mesh: more than one piece");
-  }
   std::vector<Vector3d> line = sliceMiddles(mesh, distance, samples);
   line.insert(line.begin(), mesh.points[oneIsStart ? oneEnd : otherEnd].cast<double>());
   line.push_back(mesh.points[farthest(distance)].cast<double>());

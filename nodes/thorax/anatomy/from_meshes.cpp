@@ -104,7 +104,7 @@ void takeRib(const Scans& scans, const Vertebra& vertebra, Rib& rib) {
   auto mesh =
       scans.solid(fmt::format("skeleton/{}_{}_rib.obj", sideName(rib.side), kOrdinals[rib.number - 1]));
   if (!mesh) return;
-  rib.mesh = std::move(*mesh);
+  rib.mesh = largestPiece(*mesh);
   BoneLines lines = boneLines(rib.mesh, vertebra.bodyCentre, rib.side, kRibSamples);
   rib.centreline = std::move(lines.centreline);
   rib.innerLine = std::move(lines.innerLine);
@@ -124,7 +124,7 @@ void takeCartilage(const Scans& scans, const Rib& rib, Cartilage& cartilage) {
   auto mesh = scans.solid(fmt::format("skeleton/{}_{}_costal_cartilage.obj", sideName(cartilage.side),
                                       kOrdinals[cartilage.number - 1]));
   if (!mesh) return;
-  cartilage.mesh = std::move(*mesh);
+  cartilage.mesh = largestPiece(*mesh);
   BoneLines lines = boneLines(cartilage.mesh, rib.sternalEnd, cartilage.side, kCartilageSamples);
   cartilage.centreline = std::move(lines.centreline);
   cartilage.innerLine = std::move(lines.innerLine);

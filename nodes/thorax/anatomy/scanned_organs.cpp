@@ -108,7 +108,7 @@ Diaphragm scannedDiaphragm(TriangleMesh mesh) {
 
 Lung scannedLung(TriangleMesh mesh, Side side, const ChestWall& wall, const SurfaceQuery& bones,
                  const SurfaceQuery& diaphragm) {
-  constexpr double kTouching = 0.006;  // [m]
+  constexpr double kTouching = 0.012;  // [m], a scanned lung fits less closely than a generated one
   for (Vector3f& p : mesh.points) {
     const Vector3d inside = offWall(wall, p.cast<double>());
     p = offBones(bones, offDiaphragm(diaphragm, offWall(wall, offBones(bones, inside)))).cast<float>();
@@ -119,8 +119,8 @@ Lung scannedLung(TriangleMesh mesh, Side side, const ChestWall& wall, const Surf
   const std::vector<Vector3f> normals = normalsOf(mesh);
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     const Vector3d p = mesh.points[i].cast<double>();
-    const bool onDiaphragm = normals[i].y() < -0.2f && diaphragm.closestPoint(p).distance < 2.0 * kTouching;
-    const bool onWall = wall.beyond(p) > -kTouching && sign(side) * normals[i].x() > -0.3f;
+    const bool onDiaphragm = normals[i].y() < -0.2f && diaphragm.closestPoint(p).distance < kTouching;
+    const bool onWall = wall.beyond(p) > -kTouching && sign(side) * normals[i].x() > -0.5f;
     lung.part.push_back(onDiaphragm ? LungPart::Diaphragmatic
                         : onWall    ? LungPart::Costal
                                     : LungPart::Mediastinal);

@@ -46,7 +46,9 @@ TEST_F(AnatomyFromMeshes, LandmarksAgreeWithTheMeasuredOnes) {
     EXPECT_EQ(a.name, b.name);
     EXPECT_LT((a.head - b.head).norm(), 0.010f) << a.name;
     EXPECT_LT((a.sternalEnd - b.sternalEnd).norm(), 0.016f) << a.name;
-    EXPECT_LT((a.tubercle - b.tubercle).norm(), 0.016f) << a.name;
+    if (a.number <= 10) {  // ribs 11 and 12 meet no transverse process
+      EXPECT_LT((a.tubercle - b.tubercle).norm(), 0.016f) << a.name;
+    }
     EXPECT_LT((a.centreline[16] - b.centreline[16]).norm(), 0.012f) << a.name;
     EXPECT_GT(a.neckAxis.dot(b.neckAxis), 0.8f) << a.name;
   }
