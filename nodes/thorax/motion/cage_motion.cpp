@@ -1,5 +1,4 @@
 #include <pleura/nodes/thorax/motion/cage_motion.h>
-
 #include <pleura/nodes/thorax/motion/cartilage_bend.h>
 #include <pleura/nodes/thorax/motion/rigid_fit.h>
 
@@ -36,11 +35,13 @@ CageMotion::CageMotion(const Anatomy& anatomy, const std::array<RibAngles, 12>& 
     const auto k = static_cast<std::size_t>(part.number - 1);
     angles_[body] = part.side == Side::Left ? left[k] : right[k];
     heads_[body] = part.head.cast<double>();
-    if (part.number <= 7) sternalEnds_[k + (part.side == Side::Left ? 0 : 7)] = part.sternalEnd.cast<double>();
+    if (part.number <= 7)
+      sternalEnds_[k + (part.side == Side::Left ? 0 : 7)] = part.sternalEnd.cast<double>();
   }
   for (const Cartilage& part : anatomy.cartilages) {
     cartilages_.push_back(bendCartilage(part.mesh.points, part.centreline,
-                                        rigidWith(ribBody(part.side, part.number)), carriedAtEnd(anatomy, part)));
+                                        rigidWith(ribBody(part.side, part.number)),
+                                        carriedAtEnd(anatomy, part)));
   }
 }
 
@@ -52,7 +53,8 @@ BodyMotions CageMotion::bodies(double inflation) const {
   std::array<Eigen::Vector3d, 14> moved;
   for (std::size_t k = 0; k < moved.size(); ++k) {
     const Side side = k < 7 ? Side::Left : Side::Right;
-    moved[k] = motions[static_cast<std::size_t>(ribBody(side, static_cast<int>(k % 7) + 1))] * sternalEnds_[k];
+    moved[k] =
+        motions[static_cast<std::size_t>(ribBody(side, static_cast<int>(k % 7) + 1))] * sternalEnds_[k];
   }
   motions[kSternum] = fitRigid(sternalEnds_, moved);
   return motions;

@@ -1,8 +1,8 @@
-#include <pleura/nodes/thorax/motion/cartilage_bend.h>
-
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/cartilage_bend.h>
 
 namespace pleura {
 

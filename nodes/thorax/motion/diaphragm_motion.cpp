@@ -1,37 +1,32 @@
-#include <pleura/nodes/thorax/motion/diaphragm_motion.h>
-
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/diaphragm_motion.h>
 
 namespace pleura {
 namespace {
 
-constexpr float kNearWall = 0.015f;      // [m] a wall or rim point farther from the cage is hiatus or crus
-constexpr float kHiatusBelow = 0.015f;  // [m] the edge of the hiatus lies at most this far below the tendon
+constexpr float kNearWall = 0.015f;  // [m] a wall or rim point farther from the ribs belongs to the crura
 
 struct Tendon {
   std::vector<int> points;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  float lowest = 0.0f;
 };
 
 Tendon tendonOf(const Diaphragm& diaphragm) {
   Tendon tendon;
-  tendon.lowest = std::numeric_limits<float>::max();
   for (std::size_t i = 0; i < diaphragm.part.size(); ++i) {
     if (diaphragm.part[i] != DiaphragmPart::Tendon) continue;
-    const Eigen::Vector3f& p = diaphragm.mesh.points[i];
     tendon.points.push_back(static_cast<int>(i));
-    tendon.centre += p.cast<double>();
-    tendon.lowest = std::min(tendon.lowest, p.y());
+    tendon.centre += diaphragm.mesh.points[i].cast<double>();
   }
   if (tendon.points.empty()) throw std::invalid_argument("DiaphragmMotion: no point is tagged as tendon");
   tendon.centre /= static_cast<double>(tendon.points.size());
   return tendon;
 }
 
-std::vector<int> drivenPoints(const std::vector<int>& tendon, const std::array<std::vector<WallFollower>, 2>& onWall) {
+std::vector<int> drivenPoints(const std::vector<int>& tendon,
+                              const std::array<std::vector<WallFollower>, 2>& onWall) {
   std::vector<int> driven = tendon;
   for (const std::vector<WallFollower>& side : onWall) {
     for (const WallFollower& follower : side) driven.push_back(follower.index);
@@ -54,24 +49,22 @@ DiaphragmMotion::DiaphragmMotion(const Diaphragm& diaphragm, const Sides& sides,
     if (diaphragm.part[i] != DiaphragmPart::Wall && diaphragm.part[i] != DiaphragmPart::Rim) continue;
     const std::size_t side = rest_[i].x() >= 0.0f ? 0 : 1;
     const WallPoint place = bindToWall(sides[side].wall, sides[side].slide, rest_[i].cast<double>());
-    if (place.bound && place.distance < kNearWall) {
+    if (place.bound && !place.onSpine && place.distance < kNearWall) {
       onWall_[side].push_back({static_cast<int>(i), place});
-    } else if (rest_[i].y() > tendon.lowest - kHiatusBelow) {
-      tendon_.push_back(static_cast<int>(i));
     }
   }
   driven_ = drivenPoints(tendon_, onWall_);
   fill_ = HarmonicFill(diaphragm.mesh, driven_);
 }
 
-void DiaphragmMotion::move(const Sides& sides, const WallsNow& walls, double inflation,
+void DiaphragmMotion::move(const Sides& sides, const WallsNow& walls, double contraction,
                            std::span<Eigen::Vector3f> points) {
-  const BodyDisplacement tendon = displacementOf(tendonMotion(dome_, tendonCentre_, inflation));
+  const BodyDisplacement tendon = displacementOf(tendonMotion(dome_, tendonCentre_, contraction));
   for (const int i : tendon_) {
     displacement_[static_cast<std::size_t>(i)] = tendon * rest_[static_cast<std::size_t>(i)].homogeneous();
   }
   for (std::size_t side = 0; side < 2; ++side) {
-    displaceFollowers(sides[side], walls[side], onWall_[side], inflation, displacement_);
+    displaceFollowers(sides[side], walls[side], onWall_[side], contraction, displacement_);
   }
   fill_.fill(displacement_);
   for (std::size_t i = 0; i < rest_.size(); ++i) points[i] = rest_[i] + displacement_[i].head<3>();

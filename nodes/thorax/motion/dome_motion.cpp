@@ -1,16 +1,23 @@
-#include <pleura/nodes/thorax/motion/dome_motion.h>
-
 #include <cmath>
-#include <pleura/nodes/thorax/motion/rib_motion.h>
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/dome_motion.h>
+#include <pleura/nodes/thorax/motion/rib_motion.h>
 
 namespace pleura {
 
-Eigen::Isometry3d tendonMotion(const DomeMotion& dome, const Eigen::Vector3d& centre, double inflation) {
-  if (!std::isfinite(inflation)) throw std::invalid_argument("tendonMotion: inflation must be finite");
-  const Eigen::AngleAxisd tilt(-dome.tilt * inflation, Eigen::Vector3d::UnitX());
+double diaphragmContraction(double inflation) {
+  if (!std::isfinite(inflation))
+    throw std::invalid_argument("diaphragmContraction: inflation must be finite");
+  constexpr double kLead = 0.4;
+  return inflation * (1.0 + kLead * (1.0 - inflation));
+}
+
+Eigen::Isometry3d tendonMotion(const DomeMotion& dome, const Eigen::Vector3d& centre, double contraction) {
+  if (!std::isfinite(contraction)) throw std::invalid_argument("tendonMotion: contraction must be finite");
+  const Eigen::AngleAxisd tilt(-dome.tilt * contraction, Eigen::Vector3d::UnitX());
   Eigen::Isometry3d motion = rotationAbout(tilt.toRotationMatrix(), centre);
-  motion.translation() += inflation * Eigen::Vector3d(0.0, -dome.descent, dome.forward);
+  motion.translation() += contraction * Eigen::Vector3d(0.0, -dome.descent, dome.forward);
   return motion;
 }
 

@@ -1,10 +1,11 @@
-#include <pleura/nodes/thorax/motion/harmonic_fill.h>
-
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <utility>
+
+#include <Eigen/SparseCholesky>
+
+#include <pleura/nodes/thorax/motion/harmonic_fill.h>
 
 namespace pleura {
 namespace {
@@ -35,7 +36,8 @@ Matrix laplacian(const TriangleMesh& mesh) {
   const auto n = static_cast<Eigen::Index>(mesh.points.size());
   for (int i = 0; i < n; ++i) entries.emplace_back(i, i, kGround);
   for (const auto& [i, j] : edgesOf(mesh)) {
-    const Eigen::Vector3f edge = mesh.points[static_cast<std::size_t>(i)] - mesh.points[static_cast<std::size_t>(j)];
+    const Eigen::Vector3f edge =
+        mesh.points[static_cast<std::size_t>(i)] - mesh.points[static_cast<std::size_t>(j)];
     const double w = 1.0 / std::max(static_cast<double>(edge.norm()), kShortest);
     entries.emplace_back(i, i, w);
     entries.emplace_back(j, j, w);
@@ -79,7 +81,8 @@ HarmonicFill::HarmonicFill(const TriangleMesh& mesh, std::span<const int> driven
   const Eigen::SimplicialLLT<Matrix> cholesky(a);
   const std::vector<int> natural = free_;
   for (Eigen::Index k = 0; k < n; ++k) {
-    free_[static_cast<std::size_t>(cholesky.permutationP().indices()[k])] = natural[static_cast<std::size_t>(k)];
+    free_[static_cast<std::size_t>(cholesky.permutationP().indices()[k])] =
+        natural[static_cast<std::size_t>(k)];
   }
   coupling_.start.push_back(0);
   for (const int point : free_) {
@@ -109,7 +112,8 @@ HarmonicFill::HarmonicFill(const TriangleMesh& mesh, std::span<const int> driven
 void HarmonicFill::fill(std::span<Eigen::Vector4f> displacement) {
   const std::size_t n = free_.size();
   const auto entries = [](const Columns& columns, std::size_t j) {
-    return std::pair{static_cast<std::size_t>(columns.start[j]), static_cast<std::size_t>(columns.start[j + 1])};
+    return std::pair{static_cast<std::size_t>(columns.start[j]),
+                     static_cast<std::size_t>(columns.start[j + 1])};
   };
   for (std::size_t j = 0; j < n; ++j) {  // b = B d
     const auto [begin, end] = entries(coupling_, j);

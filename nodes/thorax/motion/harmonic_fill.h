@@ -1,15 +1,17 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-
-#include <Eigen/Core>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura {
 
 /// Smooth displacements for the points of a surface that nothing drives: the harmonic extension of the driven
-/// ones over the graph of its edges, weighted by inverse length. Factorised once, two triangular solves a call.
+/// ones over the graph of its edges, weighted by inverse length. Factorised once, two triangular solves a
+/// call.
 class HarmonicFill {
  public:
   HarmonicFill() = default;
@@ -30,11 +32,11 @@ class HarmonicFill {
     std::vector<float> value;
   };
 
-  std::vector<int> free_;              // points, in the order of the factor
-  Columns coupling_;                   // a column a free point; rows are driven points
-  Columns factor_;                     // L below its diagonal
+  std::vector<int> free_;  // points, in the order of the factor
+  Columns coupling_;       // a column a free point; rows are driven points
+  Columns factor_;         // L below its diagonal
   std::vector<float> inverseDiagonal_;
-  std::vector<Eigen::Vector4f> x_;     // workspace, in the order of the factor
+  std::vector<Eigen::Vector4f> x_;  // workspace, in the order of the factor
 };
 
 }  // namespace pleura

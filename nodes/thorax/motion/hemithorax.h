@@ -1,12 +1,13 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
 #include <pleura/nodes/thorax/anatomy/anatomy.h>
 #include <pleura/nodes/thorax/motion/cage_motion.h>
 #include <pleura/nodes/thorax/motion/wall_binding.h>
-
-#include <Eigen/Core>
-#include <span>
-#include <vector>
 
 namespace pleura {
 
@@ -16,8 +17,23 @@ struct Hemithorax {
   WallSlide slide;
 };
 
-/// Builds a side from the bones at rest; `foldDrop` [m] as in DomeMotion. Throws std::invalid_argument when the
-/// anatomy lacks the side's lung or rim of the diaphragm.
+/// The long axis of a side, from the middle of its rim of the diaphragm up to the middle of the ring of rib
+/// 1, and the height above its middle, along it, where the wall closes over the lung. All [m].
+struct HemithoraxEnds {
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+  double cupola;
+};
+
+/// Throws std::invalid_argument when the anatomy lacks the side's lung or rim of the diaphragm.
+HemithoraxEnds hemithoraxEnds(const Anatomy& anatomy, Side side);
+
+/// How surfaces slide on a wall, from the edge of the diaphragm's dome and from its rim; `foldDrop` [m] as in
+/// DomeMotion. Of the diaphragm, mesh and s are read.
+WallSlide slideOf(const PleuralWall& wall, const Diaphragm& diaphragm, Side side, double foldDrop);
+
+/// Builds a side from the bones at rest; `foldDrop` [m] as in DomeMotion. Throws std::invalid_argument when
+/// the anatomy lacks the side's lung or rim of the diaphragm.
 Hemithorax buildHemithorax(const Anatomy& anatomy, const CageMotion& cage, Side side, double foldDrop);
 
 /// A point of an organ that keeps its place on the wall.
@@ -28,7 +44,7 @@ struct WallFollower {
 
 /// Writes displacement[index] [m] of every follower; `wallNow` is the moved grid.
 void displaceFollowers(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-                       std::span<const WallFollower> followers, double inflation,
+                       std::span<const WallFollower> followers, double contraction,
                        std::span<Eigen::Vector4f> displacement);
 
 }  // namespace pleura

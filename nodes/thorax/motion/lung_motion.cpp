@@ -1,6 +1,5 @@
-#include <pleura/nodes/thorax/motion/lung_motion.h>
-
 #include <pleura/nodes/deformable/mesh/surface_query.h>
+#include <pleura/nodes/thorax/motion/lung_motion.h>
 
 namespace pleura {
 namespace {
@@ -9,7 +8,8 @@ constexpr float kNear = 0.015f;  // [m] a point farther from wall and diaphragm 
 
 }  // namespace
 
-Eigen::Vector3f LungMotion::footOf(const DiaphragmFollower& follower, std::span<const Eigen::Vector3f> diaphragm) {
+Eigen::Vector3f LungMotion::footOf(const DiaphragmFollower& follower,
+                                   std::span<const Eigen::Vector3f> diaphragm) {
   Eigen::Vector3f foot = Eigen::Vector3f::Zero();
   for (int k = 0; k < 3; ++k) {
     foot += follower.barycentric[k] * diaphragm[static_cast<std::size_t>(follower.corners[k])];
@@ -27,8 +27,10 @@ LungMotion::LungMotion(const Lung& lung, const Hemithorax& half, const TriangleM
     const bool nearWall = place.bound && place.distance < kNear;
     const auto below = query.closestPointWithin(p, nearWall ? place.distance : kNear);
     if (below) {
-      DiaphragmFollower follower{index, diaphragm.triangles[static_cast<std::size_t>(below->triangle)],
-                                 below->barycentric.cast<float>(), {}};
+      DiaphragmFollower follower{index,
+                                 diaphragm.triangles[static_cast<std::size_t>(below->triangle)],
+                                 below->barycentric.cast<float>(),
+                                 {}};
       follower.foot = footOf(follower, diaphragm.points);
       onDiaphragm_.push_back(follower);
     } else if (nearWall) {
@@ -40,9 +42,9 @@ LungMotion::LungMotion(const Lung& lung, const Hemithorax& half, const TriangleM
 }
 
 void LungMotion::move(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-                      std::span<const Eigen::Vector3f> diaphragmNow, double inflation,
+                      std::span<const Eigen::Vector3f> diaphragmNow, double contraction,
                       std::span<Eigen::Vector3f> points) {
-  displaceFollowers(half, wallNow, onWall_, inflation, displacement_);
+  displaceFollowers(half, wallNow, onWall_, contraction, displacement_);
   for (const DiaphragmFollower& f : onDiaphragm_) {
     displacement_[static_cast<std::size_t>(f.index)].head<3>() = footOf(f, diaphragmNow) - f.foot;
   }

@@ -1,24 +1,26 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include <pleura/nodes/thorax/anatomy/anatomy.h>
 #include <pleura/nodes/thorax/motion/harmonic_fill.h>
 #include <pleura/nodes/thorax/motion/hemithorax.h>
 
-#include <span>
-#include <vector>
-
 namespace pleura {
 
-/// A lung between its wall and the diaphragm. Driven: every point near either, by the nearer one. On the wall it
-/// slides; on the diaphragm it keeps its offset from the place it lay on. The mediastinal rest fills in
+/// A lung between its wall and the diaphragm. Driven: every point near either, by the nearer one. On the wall
+/// it slides; on the diaphragm it keeps its offset from the place it lay on. The mediastinal rest fills in
 /// harmonically.
 class LungMotion {
  public:
   LungMotion(const Lung& lung, const Hemithorax& half, const TriangleMesh& diaphragm);
 
-  /// Positions [m] at an inflation, given the moved wall and diaphragm. Does not allocate; one call at a time.
+  /// Positions [m] at a contraction of the diaphragm, given the moved wall and diaphragm. Does not allocate;
+  /// one call at a time.
   void move(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-            std::span<const Eigen::Vector3f> diaphragmNow, double inflation, std::span<Eigen::Vector3f> points);
+            std::span<const Eigen::Vector3f> diaphragmNow, double contraction,
+            std::span<Eigen::Vector3f> points);
 
   /// The points that something drives, ascending.
   const std::vector<int>& driven() const { return driven_; }
@@ -31,7 +33,8 @@ class LungMotion {
     Eigen::Vector3f barycentric;
     Eigen::Vector3f foot;  // [m] that place at rest
   };
-  static Eigen::Vector3f footOf(const DiaphragmFollower& follower, std::span<const Eigen::Vector3f> diaphragm);
+  static Eigen::Vector3f footOf(const DiaphragmFollower& follower,
+                                std::span<const Eigen::Vector3f> diaphragm);
 
   std::vector<Eigen::Vector3f> rest_;
   std::vector<WallFollower> onWall_;

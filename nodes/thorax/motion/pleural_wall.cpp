@@ -1,15 +1,15 @@
-#include <pleura/nodes/thorax/motion/pleural_wall.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include <pleura/nodes/thorax/motion/pleural_wall.h>
+
 namespace pleura {
 namespace {
 
 constexpr double kRollingCurvature = 4.0;  // [1/rad^2] bridges an intercostal space with a sagitta under 1 mm
-constexpr double kBelowMargin = 0.05;    // [m] the profile goes on straight below the last bone
+constexpr double kBelowMargin = 0.05;      // [m] the profile goes on straight below the last bone
 constexpr std::size_t kFewestPoints = 24;
 
 /// A point of a bone in the half-plane of a column.
@@ -52,8 +52,8 @@ void addSection(const HemithoraxAxis& axis, double azimuth, double cupola, const
   }
 }
 
-/// (phi, u): elevation seen from the axis' origin [rad] and logarithm of the distance. This map keeps angles, so
-/// that a curve of one shape fits the steep lower wall as well as the shoulder under the cupola.
+/// (phi, u): elevation seen from the axis' origin [rad] and logarithm of the distance. This map keeps angles,
+/// so that a curve of one shape fits the steep lower wall as well as the shoulder under the cupola.
 struct LogPolar {
   double phi, u;
 };
@@ -65,16 +65,16 @@ double lifted(const LogPolar& p) { return p.u + 0.5 * kRollingCurvature * p.phi 
 
 /// Lower convex hull of (phi, f), from the top down (Andrew's monotone chain).
 Profile innerEnvelope(Profile points) {
-  std::sort(points.begin(), points.end(), [](const ProfilePoint& a, const ProfilePoint& b) {
-    return logPolar(a).phi > logPolar(b).phi;
-  });
+  std::sort(points.begin(), points.end(),
+            [](const ProfilePoint& a, const ProfilePoint& b) { return logPolar(a).phi > logPolar(b).phi; });
   Profile hull;
   for (const ProfilePoint& p : points) {
     const LogPolar c = logPolar(p);
     while (hull.size() >= 2) {
       const LogPolar b = logPolar(hull[hull.size() - 1]);
       const LogPolar a = logPolar(hull[hull.size() - 2]);
-      const double turn = (a.phi - b.phi) * (lifted(c) - lifted(b)) - (b.phi - c.phi) * (lifted(b) - lifted(a));
+      const double turn =
+          (a.phi - b.phi) * (lifted(c) - lifted(b)) - (b.phi - c.phi) * (lifted(b) - lifted(a));
       if (turn > 0.0) break;
       hull.pop_back();
     }
@@ -197,9 +197,28 @@ PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBod
   return wall;
 }
 
+std::vector<Eigen::Vector3i> wallTriangles(const PleuralWall& wall) {
+  std::vector<Eigen::Vector3i> triangles;
+  const bool left = wall.axis.lateral.x() > 0.0;  // the sense of azimuth mirrors with the side
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const Eigen::Vector3i t(static_cast<int>(a), static_cast<int>(b), static_cast<int>(c));
+    triangles.push_back(left ? Eigen::Vector3i(t[0], t[2], t[1]) : t);
+  };
+  for (int c = 0; c < PleuralWall::kColumns; ++c) {
+    const int d = PleuralWall::next(c);
+    if (wall.open(c) || wall.open(d)) continue;
+    for (int r = 0; r + 1 < PleuralWall::kRows; ++r) {
+      add(PleuralWall::index(c, r), PleuralWall::index(d, r), PleuralWall::index(c, r + 1));
+      add(PleuralWall::index(d, r), PleuralWall::index(d, r + 1), PleuralWall::index(c, r + 1));
+    }
+  }
+  return triangles;
+}
+
 void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements,
               std::span<Eigen::Vector4f> now) {
-  for (std::size_t i = 0; i < wall.rest.size(); ++i) now[i] = carry(wall.rest[i], wall.weights[i], displacements);
+  for (std::size_t k = 0; k < wall.rest.size(); ++k)
+    now[k] = carry(wall.rest[k], wall.weights[k], displacements);
 }
 
 }  // namespace pleura

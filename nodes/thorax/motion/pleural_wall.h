@@ -1,11 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-#include <pleura/nodes/thorax/motion/skin.h>
-
-#include <Eigen/Core>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
+#include <pleura/nodes/thorax/motion/skin.h>
 
 namespace pleura {
 
@@ -30,7 +31,8 @@ struct HemithoraxAxis {
   Eigen::Vector3d radial(double azimuth) const;
 };
 
-/// The axis through `low` and `high` [m] on the side whose lateral direction is x = `side` (+1 left, -1 right).
+/// The axis through `low` and `high` [m] on the side whose lateral direction is x = `side` (+1 left, -1
+/// right).
 HemithoraxAxis hemithoraxAxis(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double side);
 
 /// The inner surface of one half of the cage: a grid of kColumns profiles in half-planes about the axis, each
@@ -56,6 +58,9 @@ struct PleuralWall {
 /// `cupola` [m] is the height above the axis' origin where the profiles close, fixed to the spine. Throws
 /// std::invalid_argument when a body's weights are not one a point.
 PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBody> bodies, double cupola);
+
+/// The grid's triangles, facing inwards.
+std::vector<Eigen::Vector3i> wallTriangles(const PleuralWall& wall);
 
 /// Where the wall is now: `now` has the shape of wall.rest; the weights refer to `displacements`.
 void moveWall(const PleuralWall& wall, std::span<const BodyDisplacement> displacements,

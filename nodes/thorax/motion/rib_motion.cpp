@@ -1,8 +1,8 @@
-#include <pleura/nodes/thorax/motion/rib_motion.h>
-
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/rib_motion.h>
 
 namespace pleura {
 namespace {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
+
+#include <Eigen/Geometry>
 
 namespace pleura {
 
@@ -13,8 +14,8 @@ struct RibAngles {
 };
 
 /// Pump and bucket amplitudes of ribs 1-12 of one side, [rad]. Ribs 2-9: Wilson et al. 2001, five subjects.
-/// Rib 1: rib 2 times the thesis' ratio of rib 1 to 2. Rib 10: as rib 9. Ribs 11, 12: callipers, the bucket of
-/// rib 9 without pump, which swings their steep tips outwards.
+/// Rib 1: rib 2 times the thesis' ratio of rib 1 to 2. Rib 10: as rib 9. Ribs 11, 12: callipers, the bucket
+/// of rib 9 without pump, which swings their steep tips outwards.
 std::array<RibAngles, 12> measuredRibAngles(double side);
 
 /// The amplitudes of Jacob's thesis (2008) for ribs 1-11, [rad]; rib 12 as rib 11.

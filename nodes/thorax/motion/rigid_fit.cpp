@@ -1,7 +1,8 @@
-#include <pleura/nodes/thorax/motion/rigid_fit.h>
+#include <stdexcept>
 
 #include <Eigen/SVD>
-#include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/rigid_fit.h>
 
 namespace pleura {
 namespace {

@@ -1,6 +1,6 @@
-#include <pleura/nodes/thorax/motion/skin.h>
-
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/skin.h>
 
 namespace pleura {
 

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <span>
+
+#include <Eigen/Geometry>
 
 namespace pleura {
 
@@ -24,13 +25,14 @@ BodyWeights rigidWith(int body);
 /// (1 - t) a + t b.
 BodyWeights mix(const BodyWeights& a, const BodyWeights& b, double t);
 
-/// A rigid motion as what it adds to a point (x, y, z, 1) [m]: D = [R - I, t; 0]. Zero at rest, so that floats
-/// keep the rest shape to the last bit.
+/// A rigid motion as what it adds to a point (x, y, z, 1) [m]: D = [R - I, t; 0]. Zero at rest, so that
+/// floats keep the rest shape to the last bit.
 using BodyDisplacement = Eigen::Matrix4f;
 
 BodyDisplacement displacementOf(const Eigen::Isometry3d& motion);
 
-/// A point (x, y, z, 1) carried by a blend of rigid motions (linear blend skinning): p' = p + sum_k w_k D_k p.
+/// A point (x, y, z, 1) carried by a blend of rigid motions (linear blend skinning): p' = p + sum_k w_k D_k
+/// p.
 inline Eigen::Vector4f carry(const Eigen::Vector4f& p, const BodyWeights& weights,
                              std::span<const BodyDisplacement> displacements) {
   Eigen::Vector4f moved = p;

@@ -2,8 +2,8 @@
 
 namespace pleura {
 
-ThoraxMotion::ThoraxMotion(const Anatomy& anatomy, const DomeMotion& dome, const std::array<RibAngles, 12>& left,
-                           const std::array<RibAngles, 12>& right)
+ThoraxMotion::ThoraxMotion(const Anatomy& anatomy, const DomeMotion& dome,
+                           const std::array<RibAngles, 12>& left, const std::array<RibAngles, 12>& right)
     : cage_(anatomy, left, right),
       sides_{buildHemithorax(anatomy, cage_, Side::Left, dome.foldDrop),
              buildHemithorax(anatomy, cage_, Side::Right, dome.foldDrop)},
@@ -20,9 +20,10 @@ void ThoraxMotion::evaluate(double inflation) {
   bodies_ = cage_.bodies(inflation);
   const BodyDisplacements displacements = displacementsOf(bodies_);
   for (std::size_t side = 0; side < 2; ++side) moveWall(sides_[side].wall, displacements, walls_[side]);
-  diaphragm_.move(sides_, {walls_[0], walls_[1]}, inflation, diaphragmPoints_);
+  const double contraction = diaphragmContraction(inflation);
+  diaphragm_.move(sides_, {walls_[0], walls_[1]}, contraction, diaphragmPoints_);
   for (std::size_t side = 0; side < 2; ++side) {
-    lungs_[side].move(sides_[side], walls_[side], diaphragmPoints_, inflation, lungPoints_[side]);
+    lungs_[side].move(sides_[side], walls_[side], diaphragmPoints_, contraction, lungPoints_[side]);
   }
 }
 

@@ -1,12 +1,15 @@
-#include <pleura/nodes/thorax/motion/wall_binding.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include <pleura/nodes/thorax/motion/wall_binding.h>
+
 namespace pleura {
 namespace {
+
+/// [m] What lay between two ribs, outside of the wall, must be inside by so much when it slides under a rib.
+constexpr float kClearance = 0.001f;
 
 using Grid = std::span<const Eigen::Vector4f>;
 
@@ -29,9 +32,9 @@ struct WallPlace {
   RowPlace a, b;
   float fraction;
 
-  WallPlace(const WallSlide& slide, int column, float columnFraction, double v, double inflation)
-      : a(column, slide.row(column, v, inflation)),
-        b(PleuralWall::next(column), slide.row(PleuralWall::next(column), v, inflation)),
+  WallPlace(const WallSlide& slide, int column, float columnFraction, double v, double contraction)
+      : a(column, slide.row(column, v, contraction)),
+        b(PleuralWall::next(column), slide.row(PleuralWall::next(column), v, contraction)),
         fraction(columnFraction) {}
   Eigen::Vector4f of(Grid grid) const { return (1.0f - fraction) * a.of(grid) + fraction * b.of(grid); }
 };
@@ -77,14 +80,17 @@ WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eige
   const Eigen::Vector3d offset = point - place.of(wall.rest).head<3>().cast<double>();
   at.distance = static_cast<float>(offset.norm());
   at.gap = static_cast<float>(offset.dot(place.of(wall.inward).head<3>().cast<double>()));
+  at.onSpine = wall.weights[place.a.above].count == 0 && wall.weights[place.b.above].count == 0;
+  at.lift = std::max(0.0f, kClearance - at.gap);
   at.rest = followWall(wall, wall.rest, slide, at, 0.0);
   return at;
 }
 
 Eigen::Vector4f followWall(const PleuralWall& wall, Grid now, const WallSlide& slide, const WallPoint& point,
-                           double inflation) {
-  const WallPlace place(slide, point.column, point.fraction, point.v, inflation);
-  return place.of(now) + point.gap * place.of(wall.inward);
+                           double contraction) {
+  const WallPlace place(slide, point.column, point.fraction, point.v, contraction);
+  const float gap = point.gap + static_cast<float>(contraction) * point.lift;
+  return place.of(now) + gap * place.of(wall.inward);
 }
 
 }  // namespace pleura

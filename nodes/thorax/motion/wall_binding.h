@@ -1,10 +1,11 @@
 #pragma once
 
-#include <pleura/nodes/thorax/motion/pleural_wall.h>
-#include <pleura/nodes/thorax/motion/wall_slide.h>
+#include <span>
 
 #include <Eigen/Core>
-#include <span>
+
+#include <pleura/nodes/thorax/motion/pleural_wall.h>
+#include <pleura/nodes/thorax/motion/wall_slide.h>
 
 namespace pleura {
 
@@ -15,15 +16,17 @@ struct WallPoint {
   float fraction = 0.0f;  // [0, 1)
   float v = 0.0f;
   float gap = 0.0f;       // [m] along the inward normal, negative outside
+  float lift = 0.0f;      // [m] added to the gap at contraction 1
   float distance = 0.0f;  // [m] of the asked point from the wall
   bool bound = false;     // false where the cage is open (mediastinum)
+  bool onSpine = false;   // the wall there doesn't move
 };
 
 /// The place of `point` [m]: the nearest one of the wall in its half-plane, and the gap from there.
 WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eigen::Vector3d& point);
 
 /// Where that place is on the moved wall, as (x, y, z, 1) [m]; point.rest, bit for bit, at rest.
-Eigen::Vector4f followWall(const PleuralWall& wall, std::span<const Eigen::Vector4f> now, const WallSlide& slide,
-                           const WallPoint& point, double inflation);
+Eigen::Vector4f followWall(const PleuralWall& wall, std::span<const Eigen::Vector4f> now,
+                           const WallSlide& slide, const WallPoint& point, double contraction);
 
 }  // namespace pleura

@@ -1,10 +1,9 @@
-#include <pleura/nodes/thorax/motion/wall_slide.h>
-
-#include <pleura/nodes/thorax/motion/wall_binding.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/motion/wall_binding.h>
+#include <pleura/nodes/thorax/motion/wall_slide.h>
 
 namespace pleura {
 namespace {
@@ -20,7 +19,8 @@ using Columns = std::vector<double>;
 /// Sums over a ring's points near each column: distance from the cupola times share [m], and shares.
 void gather(const PleuralWall& wall, std::span<const Eigen::Vector3d> ring, Columns& sum, Columns& share) {
   constexpr double kLastRow = PleuralWall::kRows - 1.0;
-  const WallSlide whole{Columns(n, kLastRow), Columns(n, kLastRow), Columns(n, 0.0)};  // v = 1 is the last row
+  const WallSlide whole{Columns(n, kLastRow), Columns(n, kLastRow),
+                        Columns(n, 0.0)};  // v = 1 is the last row
   for (const Eigen::Vector3d& p : ring) {
     const WallPoint point = bindToWall(wall, whole, p);
     if (!point.bound || point.distance > kNearWall) continue;
@@ -43,7 +43,8 @@ std::size_t stepsToShare(const Columns& share, std::size_t c, std::size_t direct
   return steps;
 }
 
-/// Distance of a ring from the cupola on every column [m]: means near each, gaps filled from both sides, smoothed.
+/// Distance of a ring from the cupola on every column [m]: means near each, gaps filled from both sides,
+/// smoothed.
 Columns ringBelowCupola(const PleuralWall& wall, std::span<const Eigen::Vector3d> ring) {
   Columns sum(n, 0.0);
   Columns share(n, 0.0);
