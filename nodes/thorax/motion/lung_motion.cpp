@@ -24,7 +24,8 @@ LungMotion::LungMotion(const Lung& lung, const Hemithorax& half, const TriangleM
     const int index = static_cast<int>(i);
     const Eigen::Vector3d p = rest_[i].cast<double>();
     const WallPoint place = bindToWall(half.wall, half.slide, p);
-    const bool nearWall = place.bound && place.distance < kNear;
+    const bool onWall = place.bound && !(place.onSpine && lung.part[i] == LungPart::Mediastinal);
+    const bool nearWall = onWall && place.distance < kNear;
     const auto below = query.closestPointWithin(p, nearWall ? place.distance : kNear);
     if (below) {
       DiaphragmFollower follower{index,
