@@ -1,4 +1,5 @@
 #include <pleura/nodes/deformable/mesh/surface_query.h>
+#include <pleura/nodes/thorax/motion/dome_motion.h>
 #include <pleura/nodes/thorax/motion/lung_motion.h>
 
 namespace pleura {
@@ -43,9 +44,9 @@ LungMotion::LungMotion(const Lung& lung, const Hemithorax& half, const TriangleM
 }
 
 void LungMotion::move(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-                      std::span<const Eigen::Vector3f> diaphragmNow, double contraction,
+                      std::span<const Eigen::Vector3f> diaphragmNow, double inflation,
                       std::span<Eigen::Vector3f> points) {
-  displaceFollowers(half, wallNow, onWall_, contraction, displacement_);
+  displaceFollowers(half, wallNow, onWall_, diaphragmContraction(inflation), displacement_);
   for (const DiaphragmFollower& f : onDiaphragm_) {
     displacement_[static_cast<std::size_t>(f.index)].head<3>() = footOf(f, diaphragmNow) - f.foot;
   }
