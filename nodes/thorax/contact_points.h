@@ -18,7 +18,7 @@ class ContactPoints : public X3DChildNode {
   class Pairs : public TypedField<MFInt32, Types<MFVec3f, MFVec3f, MFFloat>> {
    public:
     /// Which of the two distances of `dist` counts.
-    explicit Pairs(std::size_t distance) : distance_(distance) {}
+    explicit Pairs(std::size_t distance = 0) : distance_(distance) {}
 
    private:
     void update() override;

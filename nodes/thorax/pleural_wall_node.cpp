@@ -44,7 +44,7 @@ void PleuralWallNode::declare(NodeType& type) {
       .means("upper end of the hemithorax' axis");
   type.field<&PleuralWallNode::cupola>("cupola", initializeOnly, 0.2f)
       .measuredIn(Unit::length)
-      .means("height above `low`, along the axis, where the wall closes over the lung");
+      .means("height above the middle of the axis, along it, where the wall closes over the lung");
   type.field<&PleuralWallNode::bones>("bones", initializeOnly, {})
       .means("what bounds the cavity: Transforms of bones, DeformableShape2 with SkinDeformer, shapes that stay");
   type.field<&PleuralWallNode::points>("points", outputOnly, {}).measuredIn(Unit::length).means("the wall's grid now");

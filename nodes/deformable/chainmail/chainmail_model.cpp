@@ -1,11 +1,11 @@
-#include <pleura/nodes/deformable/chainmail/chainmail_model.h>
-#include <pleura/nodes/deformable/chainmail/chainmail_range.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_model.h>
+#include <pleura/nodes/deformable/chainmail/chainmail_range.h>
 
 namespace pleura {
 namespace {

@@ -1,6 +1,6 @@
-#include <pleura/nodes/deformable/chainmail/chainmail_order.h>
-
 #include <algorithm>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_order.h>
 
 namespace pleura {
 

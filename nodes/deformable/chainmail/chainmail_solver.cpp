@@ -1,10 +1,10 @@
-#include <pleura/nodes/deformable/chainmail/chainmail_range.h>
-#include <pleura/nodes/deformable/chainmail/chainmail_solver.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_range.h>
+#include <pleura/nodes/deformable/chainmail/chainmail_solver.h>
 
 // On each axis of the rest frame the limits are difference constraints on the displacements u,
 //   u_a - u_b <= slack(a, b),  slack >= 0,
@@ -198,12 +198,20 @@ void countViolations(const ChainmailModel& model, const ChainmailWorkspace& w, f
   }
 }
 
+// Turns about a point of the body, so that float serves at any distance from the origin.
+void carry(const Eigen::Isometry3d& frame, std::span<Eigen::Vector3f> positions,
+           const Eigen::Vector3f& centre) {
+  const Eigen::Matrix3f rotation = frame.linear().cast<float>();
+  const Eigen::Vector3f carried = (frame * centre.cast<double>()).cast<float>();
+  for (Eigen::Vector3f& position : positions) position = rotation * (position - centre) + carried;
+}
+
 void place(const ChainmailModel& model, const ChainmailWorkspace& w, const Eigen::Isometry3d& frame,
            std::span<const Eigen::Vector3f> targets, std::span<Eigen::Vector3f> positions) {
+  if (positions.empty()) return;
   std::copy(model.rest.begin(), model.rest.end(), positions.begin());
   for (const int point : w.moved) positions[model.order.outer[point]] += w.pull[point].head<3>().matrix();
-  if (frame.matrix() != Eigen::Matrix4d::Identity())
-    for (Eigen::Vector3f& position : positions) position = (frame * position.cast<double>()).cast<float>();
+  if (frame.matrix() != Eigen::Matrix4d::Identity()) carry(frame, positions, model.rest.front());
   for (const Driven& d : w.driven) positions[model.order.outer[d.point]] = targets[d.source];
 }
 

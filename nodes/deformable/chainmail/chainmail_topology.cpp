@@ -1,12 +1,12 @@
-#include <pleura/nodes/deformable/chainmail/chainmail_range.h>
-#include <pleura/nodes/deformable/chainmail/chainmail_topology.h>
-
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_range.h>
+#include <pleura/nodes/deformable/chainmail/chainmail_topology.h>
 
 namespace pleura {
 namespace {

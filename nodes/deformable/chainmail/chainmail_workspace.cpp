@@ -1,6 +1,6 @@
-#include <pleura/nodes/deformable/chainmail/chainmail_workspace.h>
-
 #include <stdexcept>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_workspace.h>
 
 namespace pleura {
 

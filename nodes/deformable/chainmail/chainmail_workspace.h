@@ -1,14 +1,14 @@
 #pragma once
 
-#include <pleura/nodes/deformable/chainmail/chainmail_model.h>
-
 #include <cstdint>
 #include <vector>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_model.h>
 
 namespace pleura {
 
 /// The memory of a solve, allocated once. Every solve leaves `pull` zero and the flags and the queue empty,
-/// at a cost of the points it moved and not of all.
+/// at a cost of the points it moved and not of all. Points have the model's inner numbers here.
 struct ChainmailWorkspace {
   explicit ChainmailWorkspace(int pointCount);
 

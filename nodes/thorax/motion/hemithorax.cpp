@@ -42,20 +42,6 @@ struct Mean {
   Eigen::Vector3d value() const { return sum / count; }
 };
 
-/// From the middle of that side's rim of the diaphragm up to the middle of the ring of rib 1.
-HemithoraxAxis axisOf(const Anatomy& anatomy, Side side) {
-  Mean high;
-  for (const Eigen::Vector3f& p : rib(anatomy, side, 1).centreline) high.add(p);
-  for (const Eigen::Vector3f& p : cartilage(anatomy, side, 1).centreline) high.add(p);
-  Mean low;
-  for (std::size_t i = 0; i < anatomy.diaphragm.part.size(); ++i) {
-    const Eigen::Vector3f& p = anatomy.diaphragm.mesh.points[i];
-    if (p.x() * sign(side) > 0.0f && anatomy.diaphragm.part[i] == DiaphragmPart::Rim) low.add(p);
-  }
-  if (low.count == 0) throw std::invalid_argument("buildHemithorax: the diaphragm has no rim on a side");
-  return hemithoraxAxis(low.value(), high.value(), sign(side));
-}
-
 /// Where the edges of one side of the diaphragm cross a level of s.
 std::vector<Eigen::Vector3d> ring(const Diaphragm& diaphragm, Side side, float level) {
   std::vector<Eigen::Vector3d> points;
@@ -81,13 +67,31 @@ const Lung& lungOf(const Anatomy& anatomy, Side side) {
 
 }  // namespace
 
-Hemithorax buildHemithorax(const Anatomy& anatomy, const CageMotion& cage, Side side, double foldDrop) {
-  const HemithoraxAxis axis = axisOf(anatomy, side);
+HemithoraxEnds hemithoraxEnds(const Anatomy& anatomy, Side side) {
+  Mean high;
+  for (const Eigen::Vector3f& p : rib(anatomy, side, 1).centreline) high.add(p);
+  for (const Eigen::Vector3f& p : cartilage(anatomy, side, 1).centreline) high.add(p);
+  Mean low;
+  for (std::size_t i = 0; i < anatomy.diaphragm.part.size(); ++i) {
+    const Eigen::Vector3f& p = anatomy.diaphragm.mesh.points[i];
+    if (p.x() * sign(side) > 0.0f && anatomy.diaphragm.part[i] == DiaphragmPart::Rim) low.add(p);
+  }
+  if (low.count == 0) throw std::invalid_argument("hemithoraxEnds: the diaphragm has no rim on a side");
+  const HemithoraxAxis axis = hemithoraxAxis(low.value(), high.value(), sign(side));
   const double apex = axis.coordinates(lungOf(anatomy, side).apex.cast<double>()).height;
+  return {low.value(), high.value(), apex + kCupolaAboveApex};
+}
+
+WallSlide slideOf(const PleuralWall& wall, const Diaphragm& diaphragm, Side side, double foldDrop) {
+  return slideOnWall(wall, ring(diaphragm, side, kFoldLevel), ring(diaphragm, side, kRimLevel), foldDrop);
+}
+
+Hemithorax buildHemithorax(const Anatomy& anatomy, const CageMotion& cage, Side side, double foldDrop) {
+  const HemithoraxEnds ends = hemithoraxEnds(anatomy, side);
+  const HemithoraxAxis axis = hemithoraxAxis(ends.low, ends.high, sign(side));
   Hemithorax half;
-  half.wall = buildPleuralWall(axis, bodiesOf(anatomy, cage, side), apex + kCupolaAboveApex);
-  half.slide = slideOnWall(half.wall, ring(anatomy.diaphragm, side, kFoldLevel),
-                           ring(anatomy.diaphragm, side, kRimLevel), foldDrop);
+  half.wall = buildPleuralWall(axis, bodiesOf(anatomy, cage, side), ends.cupola);
+  half.slide = slideOf(half.wall, anatomy.diaphragm, side, foldDrop);
   return half;
 }
 

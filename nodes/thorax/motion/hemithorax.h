@@ -17,6 +17,21 @@ struct Hemithorax {
   WallSlide slide;
 };
 
+/// The long axis of a side, from the middle of its rim of the diaphragm up to the middle of the ring of rib
+/// 1, and the height above its middle, along it, where the wall closes over the lung. All [m].
+struct HemithoraxEnds {
+  Eigen::Vector3d low;
+  Eigen::Vector3d high;
+  double cupola;
+};
+
+/// Throws std::invalid_argument when the anatomy lacks the side's lung or rim of the diaphragm.
+HemithoraxEnds hemithoraxEnds(const Anatomy& anatomy, Side side);
+
+/// How surfaces slide on a wall, from the edge of the diaphragm's dome and from its rim; `foldDrop` [m] as in
+/// DomeMotion. Of the diaphragm, mesh and s are read.
+WallSlide slideOf(const PleuralWall& wall, const Diaphragm& diaphragm, Side side, double foldDrop);
+
 /// Builds a side from the bones at rest; `foldDrop` [m] as in DomeMotion. Throws std::invalid_argument when
 /// the anatomy lacks the side's lung or rim of the diaphragm.
 Hemithorax buildHemithorax(const Anatomy& anatomy, const CageMotion& cage, Side side, double foldDrop);

@@ -37,7 +37,7 @@ TEST(Golden, LitSphereIsSmoothWithAHighlight) {
 TEST(Golden, OpenSheetIsLitOnBothSides) {
   const Shape sheet = trough(1, 2.4f);
   DrawList list = gray();
-  lookFrom(list, {1, 2.2f, 3.5f});
+  lookFrom(list, {2.8f, 2, 1.6f});
   list.items = {{&sheet.geometry, translation(0, 0.4f, 0), colored(0.3f, 0.6f, 0.8f)}};
   expectGolden(drawGolden(list), "two_sided_sheet");
 }

@@ -44,6 +44,7 @@ BackgroundPass::BackgroundPass(const GlFunctions& gl, const std::string& header)
       noVertices_(gl) {}
 
 void BackgroundPass::draw(const Background& background, const Camera& camera, int width, int height) const {
+  if (background.skyColor.size() == 1 && background.groundColor.empty()) return;
   const auto sky = stops(background.skyColor, background.skyAngle), ground = groundStops(background);
   const Eigen::Matrix4f projection = projectionMatrix(perspectiveOf(camera), width, height);
   const Eigen::Matrix3f rotation =

@@ -6,7 +6,8 @@
 
 namespace pleura::render {
 
-/// X3D Background's sky and ground, wherever nothing has been drawn yet.
+/// X3D Background's sky and ground, wherever nothing has been drawn yet. A sky of one colour is left to
+/// glClear.
 class BackgroundPass {
  public:
   static constexpr std::size_t maxStops = 32;

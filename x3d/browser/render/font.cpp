@@ -34,6 +34,7 @@ std::size_t sequenceLength(unsigned char lead) {
 }
 
 constexpr int curveSteps = 6;
+constexpr int maxBitmapSide = 8192;  // as wide as any picture
 
 /// Takes FreeType's walk along an outline, with curves as chords.
 struct Walk {
@@ -185,8 +186,8 @@ TextBitmap Font::rasterize(std::string_view text, int size, float justification)
   for (const auto& line : lines) widths.push_back(implementation_->lineWidth(line));
   constexpr int margin = 2;  // glyphs may reach past their advance
   TextBitmap bitmap;
-  bitmap.width = *std::ranges::max_element(widths) + 2 * margin;
-  bitmap.height = size * static_cast<int>(lines.size());
+  bitmap.width = std::min(*std::ranges::max_element(widths) + 2 * margin, maxBitmapSide);
+  bitmap.height = std::min(size * static_cast<int>(lines.size()), maxBitmapSide);
   bitmap.coverage.assign(static_cast<std::size_t>(bitmap.width) * bitmap.height, 0);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const float slack = static_cast<float>(bitmap.width - 2 * margin - widths[i]);

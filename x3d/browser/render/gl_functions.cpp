@@ -21,12 +21,15 @@ GlFunctions loadGlFunctions(const GlContext& context) {
   GlFunctions gl;
 #define PLEURA_GL_LOAD(type, name) gl.name = load<type>(context, "gl" #name);
   PLEURA_GL_FUNCTIONS(PLEURA_GL_LOAD)
-#undef PLEURA_GL_LOAD
   GLint major = 0, minor = 0;
   gl.GetIntegerv(GL_MAJOR_VERSION, &major);
   gl.GetIntegerv(GL_MINOR_VERSION, &minor);
-  if (10 * major + minor < 33)
+  gl.version = 10 * major + minor;
+  if (gl.version < 33)
     throw std::runtime_error(fmt::format("OpenGL 3.3 is needed, this is {}.{}", major, minor));
+  if (gl.version < 43) return gl;
+  PLEURA_GL_43_FUNCTIONS(PLEURA_GL_LOAD)
+#undef PLEURA_GL_LOAD
   return gl;
 }
 

@@ -21,6 +21,7 @@ using GlFunction = void (*)();
   X(PFNGLBLENDFUNCPROC, BlendFunc)                                           \
   X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                               \
   X(PFNGLBUFFERDATAPROC, BufferData)                                         \
+  X(PFNGLBUFFERSUBDATAPROC, BufferSubData)                                   \
   X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                 \
   X(PFNGLCLEARPROC, Clear)                                                   \
   X(PFNGLCLEARCOLORPROC, ClearColor)                                         \
@@ -57,6 +58,7 @@ using GlFunction = void (*)();
   X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                             \
   X(PFNGLGENTEXTURESPROC, GenTextures)                                       \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                               \
+  X(PFNGLGETBUFFERSUBDATAPROC, GetBufferSubData)                             \
   X(PFNGLGETERRORPROC, GetError)                                             \
   X(PFNGLGETFLOATVPROC, GetFloatv)                                           \
   X(PFNGLGETINTEGERVPROC, GetIntegerv)                                       \
@@ -94,11 +96,18 @@ using GlFunction = void (*)();
   X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                       \
   X(PFNGLVIEWPORTPROC, Viewport)
 
+// Those of OpenGL 4.3, null below it.
+#define PLEURA_GL_43_FUNCTIONS(X)              \
+  X(PFNGLCLEARBUFFERDATAPROC, ClearBufferData) \
+  X(PFNGLMEMORYBARRIERPROC, MemoryBarrier)
+
 /// The functions of one context, to be called while it is current: gl.DrawArrays(...).
 struct GlFunctions {
 #define PLEURA_GL_MEMBER(type, name) type name = nullptr;
   PLEURA_GL_FUNCTIONS(PLEURA_GL_MEMBER)
+  PLEURA_GL_43_FUNCTIONS(PLEURA_GL_MEMBER)
 #undef PLEURA_GL_MEMBER
+  int version = 0;  // 10 * major + minor
 };
 
 /// Loads the table from a context that is current. Throws std::runtime_error that names the first function

@@ -6,30 +6,26 @@
 #include <pleura/x3d/browser/render/render_target.h>
 
 namespace pleura::render {
-namespace {
 
-GLsizei supportedSamples(const GlFunctions& gl, int wanted) {
+int supportedSamples(const GlFunctions& gl, int wanted) {
   GLint color = 1, depth = 1;
   gl.GetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &color);
   gl.GetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &depth);
   return std::min({wanted, color, depth});
 }
 
-}  // namespace
-
 RenderTarget::RenderTarget(const GlFunctions& gl, int width, int height, int samples)
     : gl_(gl),
       width_(width),
       height_(height),
-      color_(gl),
       resolvedColor_(gl),
+      color_(gl),
       depths_{GlTexture(gl), GlTexture(gl), GlTexture(gl)},
       multisampled_{GlFramebuffer(gl), GlFramebuffer(gl), GlFramebuffer(gl)},
       resolved_(gl) {
-  const GLsizei count = supportedSamples(gl, samples);
-  gl_.BindRenderbuffer(GL_RENDERBUFFER, color_);
-  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, count, GL_RGBA8, width, height);
-  for (int i = 0; i < 3; ++i) attach(i, count);
+  gl_.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, color_);
+  gl_.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, GL_RGBA8, width, height, GL_TRUE);
+  for (int i = 0; i < 3; ++i) attach(i, samples);
 
   gl_.BindRenderbuffer(GL_RENDERBUFFER, resolvedColor_);
   gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, 0, GL_RGBA8, width, height);
@@ -43,7 +39,7 @@ void RenderTarget::attach(int i, int samples) {
   gl_.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, GL_DEPTH_COMPONENT32F, width_, height_,
                             GL_TRUE);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, multisampled_[i]);
-  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, color_, 0);
   gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE, depths_[i], 0);
   check();
 }

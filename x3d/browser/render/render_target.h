@@ -7,6 +7,9 @@
 
 namespace pleura::render {
 
+/// The most samples that the OpenGL has for both colour and depth textures, up to `wanted`.
+int supportedSamples(const GlFunctions& gl, int wanted);
+
 /// The framebuffers of one picture size: multisampled colour with three depth textures (opaque surfaces, and
 /// two that depth peeling uses in turns), and the resolved picture of one sample.
 class RenderTarget {
@@ -24,6 +27,9 @@ class RenderTarget {
   /// Depth texture i, GL_TEXTURE_2D_MULTISAMPLE.
   GLuint depth(int i) const { return depths_[i]; }
 
+  /// The multisampled colours, GL_TEXTURE_2D_MULTISAMPLE.
+  GLuint color() const { return color_; }
+
   /// Averages the samples into the resolved picture and makes that the one drawn to.
   void resolve() const;
 
@@ -39,8 +45,8 @@ class RenderTarget {
 
   const GlFunctions& gl_;
   int width_, height_;
-  GlRenderbuffer color_, resolvedColor_;
-  GlTexture depths_[3];
+  GlRenderbuffer resolvedColor_;
+  GlTexture color_, depths_[3];
   GlFramebuffer multisampled_[3];
   GlFramebuffer resolved_;
 };

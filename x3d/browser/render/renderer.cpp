@@ -7,6 +7,7 @@
 
 #include <pleura/x3d/browser/render/background_pass.h>
 #include <pleura/x3d/browser/render/depth_peeling.h>
+#include <pleura/x3d/browser/render/fragment_lists.h>
 #include <pleura/x3d/browser/render/geometry_cache.h>
 #include <pleura/x3d/browser/render/light_buffer.h>
 #include <pleura/x3d/browser/render/overlay_pass.h>
@@ -36,9 +37,13 @@ bool hasExtension(const GlFunctions& gl, const char* name) {
 /// it.
 constexpr const char* sampleShading = "GL_ARB_sample_shading";
 
-std::string peelHeader(bool perSample) {
-  if (!perSample) return std::string(version) + "#define SAMPLE 0\n";
-  return std::string(version) + "#extension " + sampleShading + " : require\n#define SAMPLE gl_SampleID\n";
+std::unique_ptr<TransparencyPass> makeTransparency(const GlFunctions& gl, bool depthPeeling, int samples) {
+  if (gl.version >= 43 && !depthPeeling) return std::make_unique<FragmentLists>(gl, samples);
+  return std::make_unique<DepthPeeling>(gl, hasExtension(gl, sampleShading));
+}
+
+int usableSamples(const GlFunctions& gl, int wanted) {
+  return gl.version >= 43 || hasExtension(gl, sampleShading) ? supportedSamples(gl, wanted) : 1;
 }
 
 void checkSize(int width, int height) {
@@ -54,39 +59,37 @@ GlContext& madeCurrent(GlContext& context) {
 }  // namespace
 
 struct Renderer::Implementation {
-  Implementation(GlContext& glContext, int wantedSamples)
+  Implementation(GlContext& glContext, const RendererOptions& options)
       : context(madeCurrent(glContext)),
         gl(loadGlFunctions(context)),
-        perSample(hasExtension(gl, sampleShading)),
-        samples(perSample ? wantedSamples : 1),
+        samples(usableSamples(gl, options.samples)),
         geometries(gl),
         lights(gl),
         background(gl, version),
-        shaded(gl, version, shaders::surfaceFragment),
-        peeling(gl, peelHeader(perSample)),
+        shaded(gl, version, std::string(shaders::surfaceFragment) + shaders::surfaceOutput),
+        transparency(makeTransparency(gl, options.depthPeeling, samples)),
         overlay(gl, version) {}
 
   void collectSurfaces(const DrawList& list);
-  void drawOpaque(const FrameUniforms& frame);
+  void drawOpaque(const DrawList& list, const Frame& frame);
 
   GlContext& context;
   GlFunctions gl;
-  bool perSample;
   int samples;
   GeometryCache geometries;
   LightBuffer lights;
   BackgroundPass background;
   SurfacePass shaded;
-  DepthPeeling peeling;
+  std::unique_ptr<TransparencyPass> transparency;
   OverlayPass overlay;
   std::optional<RenderTarget> target;
   std::vector<SurfaceDraw> opaque, transparent;
   RenderStats stats;
 };
 
-Renderer::Renderer(GlContext& context, int samples) {
-  if (samples < 1) throw std::invalid_argument("samples must be at least 1");
-  implementation_ = std::make_unique<Implementation>(context, samples);
+Renderer::Renderer(GlContext& context, const RendererOptions& options) {
+  if (options.samples < 1) throw std::invalid_argument("samples must be at least 1");
+  implementation_ = std::make_unique<Implementation>(context, options);
 }
 
 Renderer::~Renderer() { implementation_->context.makeCurrent(); }
@@ -104,16 +107,19 @@ void Renderer::Implementation::collectSurfaces(const DrawList& list) {
   geometries.collect();
 }
 
-void Renderer::Implementation::drawOpaque(const FrameUniforms& frame) {
+void Renderer::Implementation::drawOpaque(const DrawList& list, const Frame& frame) {
   target->bind(0);
   gl.Viewport(0, 0, target->width(), target->height());
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthMask(GL_TRUE);
   gl.DepthFunc(GL_LESS);
+  const Eigen::Vector3f& sky = list.background.skyColor.front();
+  gl.ClearColor(sky.x(), sky.y(), sky.z(), 1);
   gl.ClearDepth(1);
-  gl.Clear(GL_DEPTH_BUFFER_BIT);
-  shaded.begin(frame);
-  for (const SurfaceDraw& surface : opaque) shaded.draw(surface);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  for (const SurfaceDraw& surface : opaque) shaded.draw(surface, frame);
+  gl.DepthFunc(GL_LEQUAL);
+  background.draw(list.background, list.camera, target->width(), target->height());
 }
 
 void Renderer::draw(const DrawList& list, int width, int height) {
@@ -126,15 +132,14 @@ void Renderer::draw(const DrawList& list, int width, int height) {
   if (!self.target || self.target->width() != width || self.target->height() != height)
     self.target.emplace(self.gl, width, height, self.samples);
 
-  const FrameUniforms frame{list.camera.view, projection, list.camera.orthographic.has_value(),
-                            self.lights.update(list), list.headlight};
-  self.drawOpaque(frame);
-  self.gl.DepthFunc(GL_LEQUAL);
-  self.background.draw(list.background, list.camera, width, height);
-  self.stats.transparentLayers = self.peeling.draw(*self.target, self.transparent, frame, self.shaded);
-  self.stats.draws =
-      static_cast<int>(self.opaque.size() + self.transparent.size() * (2 * self.stats.transparentLayers + 1));
-  self.target->resolve();
+  const Frame frame{list.camera.view, projection, list.camera.orthographic.has_value(), list.headlight,
+                    self.lights.update(list)};
+  self.drawOpaque(list, frame);
+  self.stats.draws = static_cast<int>(self.opaque.size());
+  if (self.transparent.empty())
+    self.target->resolve();
+  else
+    self.stats.draws += self.transparency->draw(*self.target, self.transparent, frame);
   self.overlay.draw(list.overlay, width, height);
 }
 

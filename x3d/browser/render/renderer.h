@@ -10,18 +10,22 @@ namespace pleura::render {
 
 /// What the last draw() did.
 struct RenderStats {
-  int draws = 0;              // draw calls for items
-  int uploads = 0;            // vertex and index streams sent to the GPU
-  int transparentLayers = 0;  // layers peeled
+  int draws = 0;    // draw calls for items
+  int uploads = 0;  // vertex and index streams sent to the GPU
+};
+
+struct RendererOptions {
+  int samples = 4;            // for a smooth edge; fewer where the OpenGL has no more
+  bool depthPeeling = false;  // also where OpenGL 4.3 allows the faster FragmentLists
 };
 
 /// Draws DrawLists off screen with X3D's lighting, 4x multisampled; transparent surfaces in the right order
-/// for every sample, whatever their shape and order in the list (see depth_peeling.h).
+/// for every sample, whatever their shape and order in the list (see transparency_pass.h).
 class Renderer {
  public:
   /// `context` outlives the renderer. Throws std::runtime_error if its OpenGL is not fit,
-  /// std::invalid_argument for a number of samples below 1.
-  explicit Renderer(GlContext& context, int samples = 4);
+  /// std::invalid_argument for options.samples below 1.
+  explicit Renderer(GlContext& context, const RendererOptions& options = {});
   ~Renderer();
 
   /// Draws into the renderer's own picture. Throws std::invalid_argument that names the bad value: NaN, an

@@ -48,7 +48,8 @@ void ShaderProgram::use() const { gl_.UseProgram(id_); }
 GLint ShaderProgram::uniform(const char* name) const { return gl_.GetUniformLocation(id_, name); }
 
 void ShaderProgram::bindBlock(const char* name, GLuint binding) const {
-  gl_.UniformBlockBinding(id_, gl_.GetUniformBlockIndex(id_, name), binding);
+  const GLuint block = gl_.GetUniformBlockIndex(id_, name);
+  if (block != GL_INVALID_INDEX) gl_.UniformBlockBinding(id_, block, binding);
 }
 
 }  // namespace pleura::render

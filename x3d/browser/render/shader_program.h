@@ -22,7 +22,7 @@ class ShaderProgram {
   /// Location of a uniform; -1, which OpenGL ignores, where the compiler has dropped it.
   GLint uniform(const char* name) const;
 
-  /// Ties a uniform block to a binding point.
+  /// Ties a uniform block to a binding point, if the shaders use it.
   void bindBlock(const char* name, GLuint binding) const;
 
  private:

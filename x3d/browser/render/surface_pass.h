@@ -1,7 +1,11 @@
 #pragma once
 
+#include <map>
+#include <string>
+
 #include <pleura/x3d/browser/render/draw_list.h>
 #include <pleura/x3d/browser/render/geometry_cache.h>
+#include <pleura/x3d/browser/render/light_buffer.h>
 #include <pleura/x3d/browser/render/shader_program.h>
 
 namespace pleura::render {
@@ -15,34 +19,39 @@ struct SurfaceDraw {
 };
 
 /// What is the same for all items of a frame.
-struct FrameUniforms {
+struct Frame {
   Eigen::Matrix4f view;
   Eigen::Matrix4f projection;
   bool parallelView;
-  int lightCount;
-  bool headlight;  // the last light
+  bool headlight;
+  LightKinds lights;
 };
 
-/// Draws items with surfaceVertex and a fragment shader: shaded, or only for their depth.
+/// Draws items with surfaceVertex and a fragment shader, in a variant for each set of features that items
+/// need.
 class SurfacePass {
  public:
-  SurfacePass(const GlFunctions& gl, const std::string& header, const char* fragmentSource);
+  enum class Variants { OnlyOne, ByMaterialAndLights };
 
-  /// Makes the shaders current for a frame.
-  void begin(const FrameUniforms& frame);
-  void draw(const SurfaceDraw& surface);
+  SurfacePass(const GlFunctions& gl, std::string header, std::string fragmentSource,
+              Variants variants = Variants::ByMaterialAndLights);
+
+  void draw(const SurfaceDraw& surface, const Frame& frame);
 
  private:
-  void setMaterial(const DrawItem& item, const GpuGeometry& gpu) const;
+  struct Program {
+    Program(const GlFunctions& gl, const std::string& header, const std::string& fragmentSource);
+    ShaderProgram shader;
+    GLint projection, modelView, normalMatrix, diffuseAlpha, specularExponent, emissiveAmbient;
+  };
+  const Program& program(const std::string& definitions);
+  void setTransform(const Program& program, const DrawItem& item, const Frame& frame) const;
+  void setMaterial(const Program& program, const Material& material) const;
 
   const GlFunctions& gl_;
-  ShaderProgram program_;
-  Eigen::Matrix4f view_;
-  std::uint32_t alwaysOn_ = 0;  // the headlight's bit
-  struct {
-    GLint projection, modelView, normalMatrix, lightCount, lightMask, diffuseAlpha, specularExponent,
-        emissiveAmbient, lit, faceted, colored, parallelView;
-  } at_;
+  std::string header_, fragmentSource_;
+  Variants variants_;
+  std::map<std::string, Program> programs_;  // by the definitions they were compiled with
 };
 
 }  // namespace pleura::render

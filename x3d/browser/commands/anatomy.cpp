@@ -1,0 +1,67 @@
+#include <fstream>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <pleura/nodes/core/plugin.h>
+#include <pleura/nodes/standard/register.h>
+#include <pleura/nodes/thorax/anatomy/from_meshes.h>
+#include <pleura/x3d/browser/anatomy/thorax_files.h>
+#include <pleura/x3d/browser/commands/commands.h>
+#include <pleura/x3d/browser/commands/progress.h>
+#include <pleura/x3d/encoding/source_text.h>
+#include <pleura/x3d/import/mesh_import.h>
+
+namespace pleura {
+
+namespace {
+
+struct Options {
+  std::filesystem::path output;
+  std::filesystem::path from;
+};
+
+/// The meshes of BodyParts3D are in millimetres, x to the left, y to the back, z up.
+TriangleMesh bodyPart(const std::string& file) {
+  const MeshImportOptions millimetres{0.001, axesNamed("x z -y")};
+  TriangleMesh all;
+  for (const auto& part : importMesh(file, millimetres).parts) {
+    const int first = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), part.mesh.points.begin(), part.mesh.points.end());
+    for (const auto& triangle : part.mesh.triangles) all.triangles.push_back(triangle.array() + first);
+  }
+  return all;
+}
+
+void write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw FileError(path.string() + ": can't be written");
+}
+
+void makeAnatomy(const Options& options) {
+  NodeRegistry registry;
+  registerStandardNodes(registry);
+  PluginLoader().load("thorax", registry);
+  const bool isReal = !options.from.empty();
+  if (isReal && !std::filesystem::is_directory(options.from)) throw FileError(options.from.string() + ": no such folder");
+  std::filesystem::create_directories(options.output);
+  const Anatomy anatomy = isReal ? anatomyFromMeshes(options.from, bodyPart) : generateAnatomy();
+  const std::string source = isReal ? "meshes of " + options.from.filename().string()
+                                    : "measured on BodyParts3D, (c) The Database Center for Life Science, CC BY 4.0";
+  const auto files = thoraxFiles(anatomy, registry, source);
+  for (const auto& file : files) write(options.output / file.name, file.text);
+  fmt::print("{} files in {}\n", files.size(), options.output.string());
+}
+
+}  // namespace
+
+void addAnatomyCommand(CLI::App& app) {
+  auto* command = app.add_subcommand("anatomy", "Write the thorax as scene files: generated, or from meshes");
+  const auto options = std::make_shared<Options>();
+  command->add_option("-o,--output", options->output, "Folder for the files")->required();
+  command->add_option("--from", options->from, "Folder of meshes with skeleton/ and organs/");
+  command->callback([options] { makeAnatomy(*options); });
+}
+
+}  // namespace pleura
