@@ -16,7 +16,7 @@ std::string_view valueOf(const std::vector<Attribute>& attributes, std::string_v
   return {};
 }
 
-/// Attributes that any node element may have and that are no fields.
+/// Attributes that any node element may have and that are no fields, unless the node has one of that name.
 bool isReserved(std::string_view name) {
   constexpr std::string_view kReserved[] = {"DEF", "USE", "containerField", "class", "id", "style"};
   return std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
@@ -128,7 +128,7 @@ DocumentBuilder::Open DocumentBuilder::useNode(std::string_view def, const Attri
 
 void DocumentBuilder::setFields(Node& node, const Attributes& attributes, std::size_t tag) {
   for (const auto& attribute : attributes)
-    if (!isReserved(attribute.name)) setField(node, attribute, tag);
+    if (!isReserved(attribute.name) || node.type().find(attribute.name) != nullptr) setField(node, attribute, tag);
 }
 
 void DocumentBuilder::setField(Node& node, const Attribute& attribute, std::size_t tag) {

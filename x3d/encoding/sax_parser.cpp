@@ -89,23 +89,13 @@ void parseXml(const SourceText& source, ElementHandler& handler, Diagnostics& di
   sax.serror = onError;
   sax.getEntity = [](void*, const xmlChar* name) { return xmlGetPredefinedEntity(name); };
 
-  const std::unique_ptr<xmlParserCtxt, void (*)(xmlParserCtxt*)> parser(xmlNewParserCtxt(),
-                                                                        xmlFreeParserCtxt);
+  const std::unique_ptr<xmlParserCtxt, void (*)(xmlParserCtxt*)> parser(
+      xmlCreateMemoryParserCtxt(text.data(), static_cast<int>(text.size())), xmlFreeParserCtxt);
   if (!parser) throw std::bad_alloc();
   parse.parser = parser.get();
   *parser->sax = sax;
-  parser->userData = &parse;
   xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_BIG_LINES);
   parser->userData = &parse;
-  auto* input =
-      xmlParserInputBufferCreateStatic(text.data(), static_cast<int>(text.size()), XML_CHAR_ENCODING_NONE);
-  if (input == nullptr) throw std::bad_alloc();
-  auto* stream = xmlNewIOInputStream(parser.get(), input, XML_CHAR_ENCODING_NONE);
-  if (stream == nullptr) {
-    xmlFreeParserInputBuffer(input);
-    throw std::bad_alloc();
-  }
-  inputPush(parser.get(), stream);
   xmlParseDocument(parser.get());
 }
 

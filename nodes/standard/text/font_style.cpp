@@ -24,6 +24,7 @@ void FontStyle::declare(NodeType& type) {
   type.field<&FontStyle::spacing>("spacing", inputOutput, 1)
       .atLeast(0)
       .means("distance of two lines, in line heights");
+  type.field<&FontStyle::style>("style", inputOutput, "PLAIN").means("PLAIN, BOLD, ITALIC or BOLDITALIC");
   type.field<&FontStyle::topToBottom>("topToBottom", inputOutput, true)
       .means("whether lines follow one another downwards");
 }

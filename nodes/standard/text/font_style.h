@@ -14,6 +14,7 @@ class FontStyle : public X3DFontStyleNode {
   SFBool leftToRight;
   SFFloat size;
   SFFloat spacing;
+  SFString style;
   SFBool topToBottom;
 
   static void declare(NodeType& type);

@@ -69,7 +69,10 @@ class ThoraxWriter {
 
   void finish(Document& document, const std::string& name, const std::string& what) {
     document.components = {};
-    document.meta = {{"title", name + ".x3d"}, {"description", what}, {"source", source_}, {"generator", "pleura anatomy"}};
+    document.meta = {{"title", name + ".x3d"},
+                     {"description", what},
+                     {"source", source_},
+                     {"generator", "pleura anatomy"}};
     files_.push_back({name + ".x3d", writeX3d(document)});
   }
 
@@ -91,13 +94,15 @@ class ThoraxWriter {
   std::vector<NodePtr> addRibs() {
     std::vector<NodePtr> nodes;
     for (const auto& rib : anatomy_.ribs) {
-      const auto& angles = measuredRibAngles(sign(rib.side))[static_cast<std::size_t>(rib.number - 1)];
+      const auto side = measuredRibAngles(sign(rib.side));
+      const RibAngles& angles = side[static_cast<std::size_t>(rib.number - 1)];
       const auto node = maker_.make("RotTransform", rib.name);
       maker_.set<SFVec3f>(node, "angles", Vec3d(angles.pump, angles.bucket, angles.side).cast<float>());
       maker_.set<SFVec3f>(node, "center", rounded(rib.head));
       if (rib.number <= kSternalRibs) maker_.set<MFVec3f>(node, "points", {rounded(rib.sternalEnd)});
       maker_.put(node, "children",
-                 file(lower(rib.name), fmt::format("rib {} {}", rib.number, rib.side == Side::Left ? "left" : "right"),
+                 file(lower(rib.name),
+                      fmt::format("rib {} {}", rib.number, rib.side == Side::Left ? "left" : "right"),
                       {shape(rib.mesh, Tissue::bone)}));
       addExported(node);
       nodes.push_back(node);
@@ -192,7 +197,8 @@ class ThoraxWriter {
     return nodes;
   }
 
-  NodePtr organ(const std::string& name, const TriangleMesh& mesh, Tissue tissue, const Vec3f& chainmail, bool isSolid) {
+  NodePtr organ(const std::string& name, const TriangleMesh& mesh, Tissue tissue, const Vec3f& chainmail,
+                bool isSolid) {
     const auto deformer = maker_.make("ChainmailDeformer");
     maker_.set<SFFloat>(deformer, "compressionFactor", chainmail.x());
     maker_.set<SFFloat>(deformer, "stretchFactor", chainmail.y());
@@ -257,7 +263,8 @@ class ThoraxWriter {
 
 }  // namespace
 
-std::vector<SceneFile> thoraxFiles(const Anatomy& anatomy, const NodeRegistry& registry, const std::string& source) {
+std::vector<SceneFile> thoraxFiles(const Anatomy& anatomy, const NodeRegistry& registry,
+                                   const std::string& source) {
   return ThoraxWriter(anatomy, registry, source).write();
 }
 

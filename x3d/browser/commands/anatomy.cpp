@@ -5,12 +5,10 @@
 
 #include <pleura/nodes/core/plugin.h>
 #include <pleura/nodes/standard/register.h>
-#include <pleura/nodes/thorax/anatomy/from_meshes.h>
 #include <pleura/x3d/browser/anatomy/thorax_files.h>
 #include <pleura/x3d/browser/commands/commands.h>
 #include <pleura/x3d/browser/commands/progress.h>
 #include <pleura/x3d/encoding/source_text.h>
-#include <pleura/x3d/import/mesh_import.h>
 
 namespace pleura {
 
@@ -20,18 +18,6 @@ struct Options {
   std::filesystem::path output;
   std::filesystem::path from;
 };
-
-/// The meshes of BodyParts3D are in millimetres, x to the left, y to the back, z up.
-TriangleMesh bodyPart(const std::string& file) {
-  const MeshImportOptions millimetres{0.001, axesNamed("x z -y")};
-  TriangleMesh all;
-  for (const auto& part : importMesh(file, millimetres).parts) {
-    const int first = static_cast<int>(all.points.size());
-    all.points.insert(all.points.end(), part.mesh.points.begin(), part.mesh.points.end());
-    for (const auto& triangle : part.mesh.triangles) all.triangles.push_back(triangle.array() + first);
-  }
-  return all;
-}
 
 void write(const std::filesystem::path& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
@@ -44,11 +30,14 @@ void makeAnatomy(const Options& options) {
   registerStandardNodes(registry);
   PluginLoader().load("thorax", registry);
   const bool isReal = !options.from.empty();
-  if (isReal && !std::filesystem::is_directory(options.from)) throw FileError(options.from.string() + ": no such folder");
+  if (isReal && !std::filesystem::is_directory(options.from))
+    throw FileError(options.from.string() + ": no such folder");
   std::filesystem::create_directories(options.output);
-  const Anatomy anatomy = isReal ? anatomyFromMeshes(options.from, bodyPart) : generateAnatomy();
-  const std::string source = isReal ? "meshes of " + options.from.filename().string()
-                                    : "measured on BodyParts3D, (c) The Database Center for Life Science, CC BY 4.0";
+  if (isReal) throw UsageError("--from is not there yet");
+  const Anatomy anatomy = generateAnatomy();
+  const std::string source =
+      isReal ? "meshes of " + options.from.filename().string()
+             : "measured on BodyParts3D, (c) The Database Center for Life Science, CC BY 4.0";
   const auto files = thoraxFiles(anatomy, registry, source);
   for (const auto& file : files) write(options.output / file.name, file.text);
   fmt::print("{} files in {}\n", files.size(), options.output.string());

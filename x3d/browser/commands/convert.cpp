@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <pleura/nodes/deformable/mesh/refinement.h>
 #include <pleura/nodes/deformable/mesh/repair.h>
-#include <pleura/nodes/deformable/mesh/resample.h>
 #include <pleura/nodes/standard/register.h>
 #include <pleura/x3d/browser/anatomy/node_maker.h>
 #include <pleura/x3d/browser/commands/commands.h>
@@ -34,7 +34,8 @@ void write(const std::filesystem::path& path, Document& document) {
 }
 
 void convertScene(const Options& options) {
-  if (options.decimate != 1 || options.fillHoles > 0 || options.repair || options.scale != 1 || !options.frame.empty())
+  if (options.decimate != 1 || options.fillHoles > 0 || options.repair || options.scale != 1 ||
+      !options.frame.empty())
     throw UsageError("--decimate, --fill-holes, --repair, --scale and --frame are for meshes, not for X3D");
   Scene scene;
   scene.load(options.input);
@@ -46,7 +47,7 @@ void convertScene(const Options& options) {
 TriangleMesh prepared(TriangleMesh mesh, const std::string& name, const Options& options) {
   if (options.repair || options.fillHoles > 0) {
     const auto report = repair(mesh, {.maxHoleEdges = options.fillHoles});
-    for (const auto& line : inWords(report)) fmt::print(stderr, "{}: {}\n", name, line);
+    for (const auto& line : deeds(report)) fmt::print(stderr, "{}: {}\n", name, line);
   }
   if (options.decimate < 1)
     mesh = decimate(mesh, static_cast<int>(options.decimate * static_cast<double>(mesh.triangles.size())));
@@ -78,12 +79,14 @@ void convertMesh(const Options& options) {
   MeshImportOptions import{options.scale};
   if (!options.frame.empty()) import.axes = axesNamed(options.frame);
   const auto imported = importMesh(options.input, import);
-  for (const auto& line : imported.diagnostics) fmt::print(stderr, "{}: warning: {}\n", options.input.string(), line);
+  for (const auto& line : imported.diagnostics)
+    fmt::print(stderr, "{}: warning: {}\n", options.input.string(), line);
   NodeRegistry registry;
   registerStandardNodes(registry);
   const NodeMaker maker(registry);
   Document document;
-  document.meta = {{"title", options.output.filename().string()}, {"source", options.input.filename().string()}};
+  document.meta = {{"title", options.output.filename().string()},
+                   {"source", options.input.filename().string()}};
   for (const auto& part : imported.parts)
     document.nodes.push_back(shapeOf(maker, part, prepared(part.mesh, part.name, options)));
   write(options.output, document);
@@ -104,9 +107,11 @@ void addConvertCommand(CLI::App& app) {
   command->add_option("--decimate", options->decimate, "Share of the triangles that is kept")
       ->check(CLI::Range(0.0, 1.0));
   command->add_flag("--repair", options->repair, "Weld, orient, drop what is broken");
-  command->add_option("--fill-holes", options->fillHoles, "Close holes of up to so many edges (repairs first)")
+  command
+      ->add_option("--fill-holes", options->fillHoles, "Close holes of up to so many edges (repairs first)")
       ->check(CLI::Range(0, 100000));
-  command->add_option("--scale", options->scale, "Metres in the file's unit of length")->check(CLI::PositiveNumber);
+  command->add_option("--scale", options->scale, "Metres in the file's unit of length")
+      ->check(CLI::PositiveNumber);
   command->add_option("--frame", options->frame, "The file's axes that are X3D's x, y and z, as \"x z -y\"");
   command->callback([options] { convert(*options); });
 }

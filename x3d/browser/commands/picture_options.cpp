@@ -17,14 +17,15 @@ int PictureOptions::side(int index) const {
     const std::string part = index == 0 ? size.substr(0, cross) : size.substr(cross + 1);
     int pixels = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), pixels);
-    if (error == std::errc() && end == part.data() + part.size() && pixels >= 1 && pixels <= kLargest) return pixels;
+    if (error == std::errc() && end == part.data() + part.size() && pixels >= 1 && pixels <= kLargest)
+      return pixels;
   }
   throw UsageError("--size: expected WIDTHxHEIGHT, 1 to 8192 pixels each, found " + size);
 }
 
-OffscreenView PictureOptions::view(Scene& scene) const {
-  OffscreenView view(scene, width(), height());
-  if (!viewpoint.empty()) view.view().lookFrom(viewpoint);
+std::unique_ptr<OffscreenView> PictureOptions::view(Scene& scene) const {
+  auto view = std::make_unique<OffscreenView>(scene, width(), height());
+  if (!viewpoint.empty()) view->view().lookFrom(viewpoint);
   return view;
 }
 

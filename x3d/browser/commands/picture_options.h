@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +18,7 @@ struct PictureOptions {
   int width() const { return side(0); }
   int height() const { return side(1); }
   /// Throws UsageError for a size or a viewpoint that makes no sense.
-  OffscreenView view(Scene& scene) const;
+  std::unique_ptr<OffscreenView> view(Scene& scene) const;
 
  private:
   int side(int index) const;

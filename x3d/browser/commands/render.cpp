@@ -23,17 +23,18 @@ struct Options : SceneOptions {
 
 void renderStill(const Options& options, Scene& scene, Playback& playback) {
   playback.runUntil(options.at);
-  render::writePng(options.picture.view(scene).picture(), options.output);
+  render::writePng(options.picture.view(scene)->picture(), options.output);
 }
 
-/// Frames to a film or to numbered pictures in a folder; the clock steps with the frames unless --step is finer.
+/// Frames to a film or to numbered pictures in a folder; the clock steps with the frames unless --step is
+/// finer.
 void renderFrames(const Options& options, Scene& scene, Playback& playback) {
   auto view = options.picture.view(scene);
   const bool isFilm = options.output.extension() == ".mp4";
   std::unique_ptr<render::FilmWriter> film;
   if (isFilm) {
-    film = std::make_unique<render::FilmWriter>(options.output, options.picture.width(), options.picture.height(),
-                                                options.framesPerSecond);
+    film = std::make_unique<render::FilmWriter>(options.output, options.picture.width(),
+                                                options.picture.height(), options.framesPerSecond);
   } else {
     std::filesystem::create_directories(options.output);
   }
@@ -41,7 +42,7 @@ void renderFrames(const Options& options, Scene& scene, Playback& playback) {
   const auto frames = static_cast<int>(std::floor(options.seconds * options.framesPerSecond + 1e-9));
   for (int frame = 0; frame <= frames; ++frame) {
     playback.runUntil(frame / options.framesPerSecond);
-    const auto picture = view.picture();
+    const auto picture = view->picture();
     isFilm ? film->write(picture)
            : render::writePng(picture, options.output / fmt::format("{:05}.png", frame));
     progress.show(static_cast<double>(frame) / std::max(1, frames));
@@ -51,7 +52,8 @@ void renderFrames(const Options& options, Scene& scene, Playback& playback) {
 
 void renderScene(Options options, bool hasStep) {
   const bool isStill = options.output.extension() == ".png";
-  if (isStill && options.seconds >= 0) throw UsageError("--for makes a film or a folder of pictures: -o x.mp4 or a folder");
+  if (isStill && options.seconds >= 0)
+    throw UsageError("--for makes a film or a folder of pictures: -o x.mp4 or a folder");
   if (!isStill && options.seconds < 0) throw UsageError("a film or a folder of pictures takes --for SECONDS");
   if (!isStill && !hasStep) options.playback.step = 1 / options.framesPerSecond;
   const auto scene = options.load();
@@ -64,14 +66,18 @@ void renderScene(Options options, bool hasStep) {
 }  // namespace
 
 void addRenderCommand(CLI::App& app) {
-  auto* command = app.add_subcommand("render", "Draw a scene off screen: a picture, a film or a folder of frames");
+  auto* command =
+      app.add_subcommand("render", "Draw a scene off screen: a picture, a film or a folder of frames");
   const auto options = std::make_shared<Options>();
   options->addTo(*command);
   options->addPlaybackTo(*command);
   options->picture.addTo(*command);
   command->add_option("-o,--output", options->output, "x.png, x.mp4 or a folder")->required();
-  auto* at = command->add_option("--at", options->at, "Time of the picture in seconds")->check(CLI::Range(0.0, 1e9));
-  command->add_option("--for", options->seconds, "Seconds to film")->excludes(at)->check(CLI::Range(0.0, 1e6));
+  auto* at =
+      command->add_option("--at", options->at, "Time of the picture in seconds")->check(CLI::Range(0.0, 1e9));
+  command->add_option("--for", options->seconds, "Seconds to film")
+      ->excludes(at)
+      ->check(CLI::Range(0.0, 1e6));
   command->add_option("--fps", options->framesPerSecond, "Frames a second")
       ->check(CLI::Range(0.01, 1000.0))
       ->capture_default_str();

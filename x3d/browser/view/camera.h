@@ -7,7 +7,8 @@
 
 namespace pleura {
 
-/// The camera of a viewpoint that stands in a group of that transform, with the point it turns about, in world space.
+/// The camera of a viewpoint that stands in a group of that transform, with the point it turns about, in
+/// world space.
 struct PlacedCamera {
   render::Camera camera;
   Vec3f centerOfRotation = Vec3f::Zero();

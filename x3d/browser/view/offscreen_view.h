@@ -14,7 +14,11 @@ class OffscreenView {
  public:
   /// Throws std::runtime_error when no OpenGL can be had.
   OffscreenView(Scene& scene, int width, int height)
-      : view_(scene), context_(render::makeOffscreenContext()), renderer_(*context_), width_(width), height_(height) {}
+      : view_(scene),
+        context_(render::makeOffscreenContext()),
+        renderer_(*context_),
+        width_(width),
+        height_(height) {}
 
   SceneView& view() { return view_; }
 

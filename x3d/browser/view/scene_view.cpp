@@ -57,7 +57,8 @@ render::DrawList& SceneView::update() {
 }
 
 void SceneView::findBound() {
-  boundViewpoint_ = chosenViewpoint_ != nullptr ? chosenViewpoint_ : bound<X3DViewpointNode>(scene_, "Viewpoint");
+  boundViewpoint_ =
+      chosenViewpoint_ != nullptr ? chosenViewpoint_ : bound<X3DViewpointNode>(scene_, "Viewpoint");
   boundBackground_ = bound<X3DBackgroundNode>(scene_, "Background");
   viewpointToWorld_ = backgroundToWorld_ = Matrix4f::Identity();
   for (const auto& node : scene_.document().nodes) locate(node, Matrix4f::Identity());
@@ -101,7 +102,8 @@ void SceneView::visit(const NodePtr& node, const Matrix4f& toWorld, std::uint32_
   const auto children = inside(*node);
   if (children.empty()) return;
   Matrix4f below = placed(*node, toWorld);
-  if (auto* billboard = dynamic_cast<Billboard*>(node.get())) below = toWorld * billboardTurn(*billboard, toWorld, list_.camera.view);
+  if (auto* billboard = dynamic_cast<Billboard*>(node.get()))
+    below = toWorld * billboardTurn(*billboard, toWorld, list_.camera.view);
   visitAll(children, below, lights);
 }
 

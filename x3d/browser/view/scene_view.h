@@ -16,14 +16,14 @@
 
 namespace pleura {
 
-/// What there is to see of a scene, as the renderer takes it. Pulls what is displayed, and nothing else: a hidden organ
-/// is not computed. Lives as long as the scene.
+/// What there is to see of a scene, as the renderer takes it. Pulls what is displayed, and nothing else: a
+/// hidden organ is not computed. Lives as long as the scene.
 class SceneView {
  public:
   explicit SceneView(Scene& scene) : scene_(scene) {}
 
-  /// Looks from that viewpoint instead of the bound one. Throws UnknownNameError, std::invalid_argument when the
-  /// node is no viewpoint.
+  /// Looks from that viewpoint instead of the bound one. Throws UnknownNameError, std::invalid_argument when
+  /// the node is no viewpoint.
   void lookFrom(std::string_view viewpoint);
   /// Looks through this camera instead; nothing: through the viewpoint again.
   void lookThrough(std::optional<render::Camera> camera) { override_ = std::move(camera); }

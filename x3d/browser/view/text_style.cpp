@@ -8,7 +8,8 @@ namespace pleura {
 
 namespace {
 
-render::TextJustify justify(const std::vector<std::string>& words, std::size_t index, render::TextJustify otherwise) {
+render::TextJustify justify(const std::vector<std::string>& words, std::size_t index,
+                            render::TextJustify otherwise) {
   if (index >= words.size()) return otherwise;
   using enum render::TextJustify;
   if (words[index] == "FIRST") return First;
@@ -64,7 +65,8 @@ std::uint64_t textStamp(Text& text) {
 render::TextGeometry layOut(Text& text) {
   auto* style = dynamic_cast<FontStyle*>(text.fontStyle.get());
   try {
-    return render::textGeometry(text.string.getValue(), style != nullptr ? styleOf(*style) : render::FontStyle(),
+    return render::textGeometry(text.string.getValue(),
+                                style != nullptr ? styleOf(*style) : render::FontStyle(),
                                 text.length.getValue(), text.maxExtent.getValue());
   } catch (const std::invalid_argument&) {
     return {};

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include <pleura/x3d/browser/render/orbit_camera.h>
+#include <pleura/x3d/browser/render/renderer.h>
+#include <pleura/x3d/browser/render/window.h>
+#include <pleura/x3d/browser/scene/scene.h>
+#include <pleura/x3d/browser/view/scene_view.h>
+
+namespace pleura {
+
+/// A scene in a window, on the real clock. The mouse orbits (left), pans (right or middle) and zooms (wheel);
+/// Page Up and Page Down go through the viewpoints, Home goes back to the viewpoint, Escape closes. Every key
+/// is also the scene's. Where the scene has a Respiration named BREATH, arrows change its rate (left, right)
+/// and depth (up, down).
+class Player {
+ public:
+  /// Throws std::runtime_error when there is no display.
+  Player(Scene& scene, int width, int height, const std::string& title);
+
+  /// Until the window is closed, or for so many seconds if above 0.
+  void run(double seconds);
+
+ private:
+  void onKey(const render::KeyEvent& event);
+  void onCharacter(char32_t character);
+  void onMove(const render::MouseMoveEvent& event);
+  void steer(int key);
+  void nextViewpoint(int step);
+  void drawFrame();
+
+  Scene& scene_;
+  SceneView view_;
+  render::Window window_;
+  render::Renderer renderer_;
+  std::optional<render::OrbitCamera> camera_;
+  int viewpoint_ = 0;
+};
+
+}  // namespace pleura
