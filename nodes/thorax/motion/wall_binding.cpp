@@ -8,8 +8,11 @@
 namespace pleura {
 namespace {
 
-/// [m] What lay between two ribs, outside of the wall, must be inside by so much when it slides under a rib.
-constexpr float kClearance = 0.001f;
+// [m] Sliding brings what lay between two ribs under a rib and the reverse; on the way every gap goes towards
+// this band, closing by at most kMostClosed.
+constexpr float kLeastGap = 0.001f;
+constexpr float kEasyGap = 0.002f;
+constexpr float kMostClosed = 0.0015f;
 
 using Grid = std::span<const Eigen::Vector4f>;
 
@@ -81,7 +84,7 @@ WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eige
   at.distance = static_cast<float>(offset.norm());
   at.gap = static_cast<float>(offset.dot(place.of(wall.inward).head<3>().cast<double>()));
   at.onSpine = wall.weights[place.a.above].count == 0 && wall.weights[place.b.above].count == 0;
-  at.lift = std::max(0.0f, kClearance - at.gap);
+  at.lift = std::max(std::clamp(at.gap, kLeastGap, kEasyGap) - at.gap, -kMostClosed);
   at.rest = followWall(wall, wall.rest, slide, at, 0.0);
   return at;
 }
