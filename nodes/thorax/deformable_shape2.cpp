@@ -2,8 +2,8 @@
 #include <stdexcept>
 
 #include <pleura/nodes/core/scene_context.h>
-#include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/geometry_mesh.h>
+#include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/solve_counter.h>
 #include <pleura/nodes/standard/rendering/coordinate.h>
 #include <pleura/nodes/standard/rendering/x3d_composed_geometry_node.h>

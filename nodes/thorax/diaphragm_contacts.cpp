@@ -8,10 +8,12 @@ namespace pleura {
 
 void DiaphragmContacts::declare(NodeType& type) {
   ContactsNode::declare(type);
-  type.named("DiaphragmContacts", "Pleura").means("holds the diaphragm to the walls and to its descending tendon");
+  type.named("DiaphragmContacts", "Pleura")
+      .means("holds the diaphragm to the walls and to its descending tendon");
   using enum Access;
   const DomeMotion byDefault;
-  type.field<&DiaphragmContacts::walls>("walls", initializeOnly, {}).means("the PleuralWalls, left and right");
+  type.field<&DiaphragmContacts::walls>("walls", initializeOnly, {})
+      .means("the PleuralWalls, left and right");
   type.field<&DiaphragmContacts::part>("part", initializeOnly, {})
       .within(0, 3)
       .means("of each point: 0 central tendon, 1 dome, 2 zone of apposition, 3 rim");
@@ -56,7 +58,8 @@ void DiaphragmContacts::DomeHeight::update() {
 }
 
 PleuralWallNode& DiaphragmContacts::wall(std::size_t side) {
-  auto* node = walls.size() == 2 ? dynamic_cast<PleuralWallNode*>(walls.getValueByIndex(side).get()) : nullptr;
+  auto* node =
+      walls.size() == 2 ? dynamic_cast<PleuralWallNode*>(walls.getValueByIndex(side).get()) : nullptr;
   if (node == nullptr) throw std::invalid_argument("walls: two PleuralWalls are expected, left and right");
   return *node;
 }

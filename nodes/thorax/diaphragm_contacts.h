@@ -8,8 +8,8 @@
 
 namespace pleura {
 
-/// Holds the diaphragm: its rim and zone of apposition to the walls, its central tendon to a piston that descends as
-/// the chest inflates.
+/// Holds the diaphragm: its rim and zone of apposition to the walls, its central tendon to a piston that
+/// descends as the chest inflates.
 class DiaphragmContacts : public ContactsNode {
  public:
   MFNode walls;
@@ -35,7 +35,6 @@ class DiaphragmContacts : public ContactsNode {
  protected:
   void onInitialize() override;
   void bind() override;
-  const std::vector<int>& boundPoints() const override { return motion_->driven(); }
   void follow(std::span<Vec3f> all) override;
   std::vector<Field*> movers() override;
 
