@@ -3,7 +3,7 @@
 
 #include <pleura/nodes/core/scene_context.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
-#include <pleura/nodes/deformable/rest_mesh.h>
+#include <pleura/nodes/deformable/geometry_mesh.h>
 #include <pleura/nodes/deformable/solve_counter.h>
 #include <pleura/nodes/standard/rendering/coordinate.h>
 #include <pleura/nodes/standard/rendering/x3d_composed_geometry_node.h>
@@ -59,8 +59,8 @@ const TriangleMesh& DeformableShape2::rest() {
   const std::array<std::uint64_t, 2> stamps = {origCoord.getStamp(), geometry.getStamp()};
   if (stamps == meshStamps_ || geometry.get() == nullptr) return rest_;
   meshStamps_ = stamps;
-  rest_ = restMesh(*geometry.get());
   rest_.points = origCoord.getValue();
+  rest_.triangles = trianglesOf(*geometry.get(), rest_.points.size());
   return rest_;
 }
 

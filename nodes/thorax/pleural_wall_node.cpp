@@ -2,7 +2,7 @@
 #include <list>
 #include <stdexcept>
 
-#include <pleura/nodes/deformable/rest_mesh.h>
+#include <pleura/nodes/deformable/geometry_mesh.h>
 #include <pleura/nodes/standard/grouping/x3d_grouping_node.h>
 #include <pleura/nodes/standard/networking/inline.h>
 #include <pleura/nodes/thorax/deformable_shape2.h>
@@ -16,7 +16,7 @@ namespace {
 /// Every shape's triangles below a node, in its own frame; transforms in between are no part of a bone.
 void collect(Node& node, std::list<TriangleMesh>& meshes) {
   if (auto* shape = dynamic_cast<X3DShapeNode*>(&node)) {
-    if (auto* geometry = shape->geometry.get()) meshes.push_back(restMesh(*geometry));
+    if (auto* geometry = shape->geometry.get()) meshes.push_back(meshOf(*geometry));
   } else if (auto* file = dynamic_cast<Inline*>(&node)) {
     for (const auto& child : file->contents.getValue()) collect(*child, meshes);
   } else if (auto* group = dynamic_cast<X3DGroupingNode*>(&node)) {

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-
-#include <Eigen/Core>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura {
 

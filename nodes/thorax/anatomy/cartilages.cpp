@@ -1,11 +1,12 @@
+#include <algorithm>
+#include <string_view>
+
 #include <fmt/format.h>
+
 #include <pleura/nodes/thorax/anatomy/cartilages.h>
 #include <pleura/nodes/thorax/anatomy/inner_line.h>
 #include <pleura/nodes/thorax/anatomy/measurements.h>
 #include <pleura/nodes/thorax/anatomy/tube.h>
-
-#include <algorithm>
-#include <string_view>
 
 namespace pleura {
 namespace {
@@ -45,13 +46,10 @@ void growIntoRib(std::vector<TubeStation>& stations, const Rib& rib) {
   stations.insert(stations.begin(), inside);
 }
 
-// A suggested path stops on the skin of the cartilage above: end it inside.
+// A suggested path stops beside the cartilage above: let it end on that one's centreline.
 void growIntoCartilage(std::vector<TubeStation>& stations, const Cartilage& above) {
-  TubeStation inside = stations.back();
-  const Vector3d target =
-      above.centreline[nearestSample(above.centreline, inside.centre.cast<float>())].cast<double>();
-  inside.centre += 0.6 * (target - inside.centre);
-  stations.push_back(inside);
+  Vector3d& end = stations.back().centre;
+  end = above.centreline[nearestSample(above.centreline, end.cast<float>())].cast<double>();
 }
 
 void setFractions(std::vector<TubeStation>& stations) {

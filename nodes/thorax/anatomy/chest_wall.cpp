@@ -1,8 +1,9 @@
-#include <pleura/nodes/thorax/anatomy/chest_wall.h>
-
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include <Eigen/Dense>
+
+#include <pleura/nodes/thorax/anatomy/chest_wall.h>
 
 namespace pleura {
 namespace {

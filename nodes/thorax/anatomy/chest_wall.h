@@ -1,9 +1,10 @@
 #pragma once
 
-#include <pleura/nodes/thorax/anatomy/anatomy.h>
+#include <vector>
 
 #include <Eigen/Core>
-#include <vector>
+
+#include <pleura/nodes/thorax/anatomy/anatomy.h>
 
 namespace pleura {
 

@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/mesh/surface_query.h>
 #include <pleura/nodes/deformable/mesh/topology.h>
@@ -6,10 +10,6 @@
 #include <pleura/nodes/thorax/anatomy/measurements.h>
 #include <pleura/nodes/thorax/anatomy/open_sheet.h>
 #include <pleura/nodes/thorax/anatomy/smooth_field.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace pleura {
 namespace {
@@ -127,6 +127,8 @@ void addTags(const DiaphragmShape& shape, const std::vector<int>& next, const Ab
   }
 }
 
+}  // namespace
+
 Vector3f domeTop(const TriangleMesh& mesh, Side side) {
   constexpr float kBesideHeart = 0.035f;  // [m] from the midline: the saddle under the heart is no dome
   Vector3f top(0.0f, -1.0f, 0.0f);
@@ -135,8 +137,6 @@ Vector3f domeTop(const TriangleMesh& mesh, Side side) {
   }
   return top;
 }
-
-}  // namespace
 
 Diaphragm generateDiaphragm(const DiaphragmShape& shape, const std::array<ChestWall, 2>& walls) {
   Abdomen abdomen = measuredAbdomen(shape);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pleura/nodes/thorax/anatomy/anatomy.h>
-#include <pleura/nodes/thorax/anatomy/chest_wall.h>
-
 #include <array>
 #include <vector>
+
+#include <pleura/nodes/thorax/anatomy/anatomy.h>
+#include <pleura/nodes/thorax/anatomy/chest_wall.h>
 
 namespace pleura {
 
@@ -35,6 +35,9 @@ class DiaphragmShape {
   Rows radius_, height_;       // [m] from the axis; [m]
   std::array<double, kColumns> tendonEdge_{};
 };
+
+/// The highest point on one side, off the midline [m].
+Eigen::Vector3f domeTop(const TriangleMesh& mesh, Side side);
 
 /// The diaphragm as an open sheet of about 2,000 points, nowhere beyond the walls (left, right) of the cage.
 Diaphragm generateDiaphragm(const DiaphragmShape& shape, const std::array<ChestWall, 2>& walls);

@@ -1,8 +1,8 @@
-#include <pleura/nodes/thorax/anatomy/diaphragm.h>
-#include <pleura/nodes/thorax/anatomy/measurements.h>
-
 #include <cmath>
 #include <numbers>
+
+#include <pleura/nodes/thorax/anatomy/diaphragm.h>
+#include <pleura/nodes/thorax/anatomy/measurements.h>
 
 namespace pleura {
 namespace {

@@ -1,12 +1,12 @@
-#include <pleura/nodes/deformable/mesh/topology.h>
-#include <pleura/nodes/thorax/anatomy/implicit_surface.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
+
+#include <pleura/nodes/deformable/mesh/topology.h>
+#include <pleura/nodes/thorax/anatomy/implicit_surface.h>
 
 namespace pleura {
 namespace {

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
+#include <functional>
 
 #include <Eigen/Geometry>
-#include <functional>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura {
 

@@ -1,6 +1,6 @@
-#include <pleura/nodes/thorax/anatomy/inner_line.h>
-
 #include <algorithm>
+
+#include <pleura/nodes/thorax/anatomy/inner_line.h>
 
 namespace pleura {
 

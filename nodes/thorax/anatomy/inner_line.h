@@ -1,9 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include <pleura/nodes/thorax/anatomy/anatomy.h>
 #include <pleura/nodes/thorax/anatomy/tube.h>
-
-#include <vector>
 
 namespace pleura {
 

@@ -1,9 +1,9 @@
-#include <pleura/nodes/thorax/anatomy/lung_sections.h>
-#include <pleura/nodes/thorax/anatomy/measurements.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <pleura/nodes/thorax/anatomy/lung_sections.h>
+#include <pleura/nodes/thorax/anatomy/measurements.h>
 
 namespace pleura {
 namespace {

@@ -1,13 +1,14 @@
+#include <algorithm>
+#include <cmath>
+
 #include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/mesh/surface_query.h>
+#include <pleura/nodes/thorax/anatomy/bones.h>
 #include <pleura/nodes/thorax/anatomy/chest_wall.h>
 #include <pleura/nodes/thorax/anatomy/implicit_surface.h>
 #include <pleura/nodes/thorax/anatomy/lung_sections.h>
 #include <pleura/nodes/thorax/anatomy/lungs.h>
 #include <pleura/nodes/thorax/anatomy/smooth_field.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace pleura {
 namespace {
@@ -21,28 +22,6 @@ constexpr double kSeam = 0.002;         // [m] over which the skin turns onto a 
 constexpr double kGrowth = 0.012;       // [m] the fit's largest gap to the wall, which is to be filled
 constexpr double kMidline = 0.004;      // [m] kept free on either side of x = 0
 constexpr double kReach = 0.010;        // [m] beyond which bones need not be looked at
-
-TriangleMesh merged(const std::vector<const TriangleMesh*>& meshes) {
-  TriangleMesh all;
-  for (const TriangleMesh* mesh : meshes) {
-    const int first = static_cast<int>(all.points.size());
-    all.points.insert(all.points.end(), mesh->points.begin(), mesh->points.end());
-    for (const Eigen::Vector3i& t : mesh->triangles) all.triangles.push_back(t.array() + first);
-  }
-  return all;
-}
-
-SurfaceQuery bonesOf(const Anatomy& anatomy) {
-  std::vector<const TriangleMesh*> meshes{&anatomy.sternum.mesh};
-  for (const Rib& rib : anatomy.ribs) meshes.push_back(&rib.mesh);
-  for (const Cartilage& cartilage : anatomy.cartilages) meshes.push_back(&cartilage.mesh);
-  for (const Vertebra& vertebra : anatomy.vertebrae) {
-    meshes.push_back(&vertebra.bone);
-    meshes.push_back(&vertebra.disc);
-  }
-  const TriangleMesh bones = merged(meshes);
-  return SurfaceQuery(bones.points, bones.triangles);
-}
 
 Eigen::AlignedBox3d boxOf(Side side) {
   const double outer = sign(side) * 0.14;
@@ -93,7 +72,7 @@ class Space {
     const double wall = beyondWall(p);
     const double dome = belowDome(p);
     if (dome > wall && dome > -kTouching) return LungPart::Diaphragmatic;
-    const bool looksOut = sign(side_) * normal.x() > 0.2 && wall > -4.0 * kTouching;
+    const bool looksOut = sign(side_) * normal.x() > -0.3 && wall > -4.0 * kTouching;
     return wall > -kTouching || looksOut ? LungPart::Costal : LungPart::Mediastinal;
   }
 

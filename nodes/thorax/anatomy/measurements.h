@@ -1,9 +1,9 @@
 #pragma once
 
-#include <pleura/nodes/thorax/anatomy/table.h>
-
 #include <span>
 #include <string_view>
+
+#include <pleura/nodes/thorax/anatomy/table.h>
 
 namespace pleura {
 

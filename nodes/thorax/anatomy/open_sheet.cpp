@@ -1,8 +1,8 @@
-#include <pleura/nodes/thorax/anatomy/open_sheet.h>
-
 #include <algorithm>
 #include <set>
 #include <utility>
+
+#include <pleura/nodes/thorax/anatomy/open_sheet.h>
 
 namespace pleura {
 namespace {

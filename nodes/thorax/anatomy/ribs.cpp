@@ -1,12 +1,13 @@
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
 #include <fmt/format.h>
+
 #include <pleura/nodes/thorax/anatomy/inner_line.h>
 #include <pleura/nodes/thorax/anatomy/measurements.h>
 #include <pleura/nodes/thorax/anatomy/ribs.h>
 #include <pleura/nodes/thorax/anatomy/tube.h>
-
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
 namespace pleura {
 namespace {

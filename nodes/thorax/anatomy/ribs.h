@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pleura/nodes/thorax/anatomy/anatomy.h>
-
 #include <vector>
+
+#include <pleura/nodes/thorax/anatomy/anatomy.h>
 
 namespace pleura {
 

@@ -1,7 +1,7 @@
-#include <pleura/nodes/thorax/anatomy/smooth_field.h>
-
 #include <algorithm>
 #include <stdexcept>
+
+#include <pleura/nodes/thorax/anatomy/smooth_field.h>
 
 namespace pleura {
 namespace {

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <pleura/nodes/thorax/anatomy/implicit_surface.h>
+#include <vector>
 
 #include <Eigen/Geometry>
-#include <vector>
+
+#include <pleura/nodes/thorax/anatomy/implicit_surface.h>
 
 namespace pleura {
 

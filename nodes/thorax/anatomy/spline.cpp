@@ -1,8 +1,9 @@
-#include <pleura/nodes/thorax/anatomy/spline.h>
-
-#include <Eigen/Dense>
 #include <algorithm>
 #include <stdexcept>
+
+#include <Eigen/Dense>
+
+#include <pleura/nodes/thorax/anatomy/spline.h>
 
 namespace pleura {
 namespace {

@@ -1,11 +1,11 @@
-#include <pleura/nodes/thorax/anatomy/implicit_surface.h>
-#include <pleura/nodes/thorax/anatomy/measurements.h>
-#include <pleura/nodes/thorax/anatomy/sternum.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <vector>
+
+#include <pleura/nodes/thorax/anatomy/implicit_surface.h>
+#include <pleura/nodes/thorax/anatomy/measurements.h>
+#include <pleura/nodes/thorax/anatomy/sternum.h>
 
 namespace pleura {
 namespace {

@@ -1,10 +1,12 @@
-#include <fmt/format.h>
-#include <pleura/nodes/thorax/anatomy/measurements.h>
-#include <pleura/nodes/thorax/anatomy/table.h>
-
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
+
+#include <fmt/format.h>
+
+#include <pleura/nodes/thorax/anatomy/measurements.h>
+#include <pleura/nodes/thorax/anatomy/table.h>
 
 namespace pleura {
 namespace {
@@ -59,7 +61,7 @@ double Table::number(std::size_t row, std::string_view name) const {
   const std::string_view cell = text(row, name);
   double value = 0.0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc() || end != cell.data() + cell.size() || !(value - value == 0.0)) {
+  if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
     throw std::invalid_argument(
         fmt::format("table {}, row {}, column {}: '{}' is not a finite number", name_, row + 1, name, cell));
   }

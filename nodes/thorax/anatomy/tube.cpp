@@ -1,10 +1,11 @@
-#include <pleura/nodes/thorax/anatomy/tube.h>
-
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include <Eigen/Dense>
+
+#include <pleura/nodes/thorax/anatomy/tube.h>
 
 namespace pleura {
 namespace {

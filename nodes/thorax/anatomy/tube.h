@@ -1,10 +1,11 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-#include <pleura/nodes/thorax/anatomy/spline.h>
+#include <vector>
 
 #include <Eigen/Core>
-#include <vector>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
+#include <pleura/nodes/thorax/anatomy/spline.h>
 
 namespace pleura {
 

@@ -1,12 +1,13 @@
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
 #include <fmt/format.h>
+
 #include <pleura/nodes/thorax/anatomy/implicit_surface.h>
 #include <pleura/nodes/thorax/anatomy/measurements.h>
 #include <pleura/nodes/thorax/anatomy/tube.h>
 #include <pleura/nodes/thorax/anatomy/vertebrae.h>
-
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
 namespace pleura {
 namespace {

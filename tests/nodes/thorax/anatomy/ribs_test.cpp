@@ -1,9 +1,9 @@
+#include "mesh_checks.h"
 #include <gtest/gtest.h>
+
 #include <pleura/nodes/thorax/anatomy/inner_line.h>
 #include <pleura/nodes/thorax/anatomy/measurements.h>
 #include <pleura/nodes/thorax/anatomy/ribs.h>
-
-#include "mesh_checks.h"
 
 namespace pleura {
 namespace {
