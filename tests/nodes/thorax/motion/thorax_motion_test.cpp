@@ -1,38 +1,36 @@
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
+#include <optional>
 
+#include "../anatomy/obj_reader.h"
 #include "contact_probe.h"
 #include <gtest/gtest.h>
 
+#include <pleura/nodes/thorax/anatomy/from_meshes.h>
 #include <pleura/nodes/thorax/motion/cartilage_bend.h>
 #include <pleura/nodes/thorax/motion/thorax_motion.h>
 
 namespace pleura {
 namespace {
 
+// A breath: 0.4-0.6 L of air in a quiet one, 2.5-4 L to total lung capacity.
 constexpr double kQuiet = 1.0 / 7.0;  // of the way from FRC to TLC
 constexpr int kSteps = 20;
 
-/// One thorax for all tests: it is built once and has no memory.
-struct Thorax {
-  Anatomy anatomy = generateAnatomy();
-  ThoraxMotion motion{anatomy};
-};
-
-Thorax& thorax() {
-  static Thorax instance;
-  return instance;
+std::filesystem::path meshDirectory() {
+  const char* shared = std::getenv("PLEURA_SHARED");
+  const std::filesystem::path root =
+      shared ? shared : std::filesystem::path(PLEURA_SOURCE_DIR) / ".." / "shared";
+  return root / "anatomy";
 }
 
 struct State {
   std::vector<Eigen::Vector3f> diaphragm, left, right;
   bool operator==(const State&) const = default;
 };
-
-State at(double inflation) {
-  thorax().motion.evaluate(inflation);
-  return {thorax().motion.diaphragm(), thorax().motion.lung(0), thorax().motion.lung(1)};
-}
 
 double enclosed(const std::vector<Eigen::Vector3f>& points, const std::vector<Eigen::Vector3i>& triangles) {
   double sum = 0.0;  // sum a . (b x c) / 6
@@ -45,25 +43,55 @@ double enclosed(const std::vector<Eigen::Vector3f>& points, const std::vector<Ei
   return sum;
 }
 
-double lungVolume(double inflation) {
-  const State state = at(inflation);
-  return enclosed(state.left, thorax().anatomy.lungs[0].mesh.triangles) +
-         enclosed(state.right, thorax().anatomy.lungs[1].mesh.triangles);
-}
+enum class From { Figures, Meshes };
 
-/// How far the highest point of the dome on a side has come down [m].
-double excursion(Side side, double inflation) {
-  const auto& rest = thorax().anatomy.diaphragm.mesh.points;
-  std::size_t top = 0;
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    if (rest[i].x() * sign(side) > 0.0f &&
-        (rest[top].x() * sign(side) <= 0.0f || rest[i].y() > rest[top].y()))
-      top = i;
+/// The same physics on the generated thorax and on the scanned one. Each is built once: it has no memory.
+class ThoraxMotionOf : public ::testing::TestWithParam<From> {
+ protected:
+  struct Thorax {
+    Anatomy anatomy;
+    ThoraxMotion motion{anatomy};
+  };
+
+  void SetUp() override {
+    if (GetParam() == From::Meshes && !std::filesystem::is_directory(meshDirectory() / "skeleton")) {
+      GTEST_SKIP() << "no real meshes at " << meshDirectory() << "; set PLEURA_SHARED";
+    }
   }
-  return rest[top].y() - at(inflation).diaphragm[top].y();
-}
 
-TEST(ThoraxMotion, RestsBitForBitAtInflationZero) {
+  Thorax& thorax() {
+    static std::array<std::optional<Thorax>, 2> built;
+    std::optional<Thorax>& one = built[GetParam() == From::Figures ? 0 : 1];
+    if (!one) {
+      one.emplace(Thorax{GetParam() == From::Figures ? generateAnatomy()
+                                                     : anatomyFromMeshes(meshDirectory(), readObj)});
+    }
+    return *one;
+  }
+
+  State at(double inflation) {
+    thorax().motion.evaluate(inflation);
+    return {thorax().motion.diaphragm(), thorax().motion.lung(0), thorax().motion.lung(1)};
+  }
+
+  double lungVolume(double inflation) {
+    const State state = at(inflation);
+    return enclosed(state.left, thorax().anatomy.lungs[0].mesh.triangles) +
+           enclosed(state.right, thorax().anatomy.lungs[1].mesh.triangles);
+  }
+
+  /// How far the highest point of the dome on a side has come down [m].
+  double excursion(Side side, double inflation) {
+    const auto& rest = thorax().anatomy.diaphragm.mesh.points;
+    std::size_t top = rest.size();
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      if (rest[i].x() * sign(side) > 0.0f && (top == rest.size() || rest[i].y() > rest[top].y())) top = i;
+    }
+    return rest[top].y() - at(inflation).diaphragm[top].y();
+  }
+};
+
+TEST_P(ThoraxMotionOf, RestsBitForBitAtInflationZero) {
   at(0.8);
   const State rest = at(0.0);
   EXPECT_EQ(rest.diaphragm, thorax().anatomy.diaphragm.mesh.points);
@@ -71,7 +99,7 @@ TEST(ThoraxMotion, RestsBitForBitAtInflationZero) {
   EXPECT_EQ(rest.right, thorax().anatomy.lungs[1].mesh.points);
 }
 
-TEST(ThoraxMotion, HasNoMemory) {
+TEST_P(ThoraxMotionOf, HasNoMemory) {
   const State first = at(0.6);
   at(1.0);
   at(0.05);
@@ -82,7 +110,7 @@ TEST(ThoraxMotion, HasNoMemory) {
   EXPECT_EQ(other.lung(0), first.left);
 }
 
-TEST(ThoraxMotion, IsSmoothInInflation) {
+TEST_P(ThoraxMotionOf, IsSmoothInInflation) {
   // |x(i + h) - 2 x(i) + x(i - h)| of a curve bending by at most half a metre per unit squared
   constexpr double h = 0.02;
   for (const double i : {0.02, 0.14, 0.5, 0.9}) {
@@ -95,7 +123,7 @@ TEST(ThoraxMotion, IsSmoothInInflation) {
   }
 }
 
-TEST(ThoraxMotion, TheDomeDescendsAsMeasured) {
+TEST_P(ThoraxMotionOf, TheDomeDescendsAsMeasured) {
   for (const Side side : {Side::Left, Side::Right}) {
     EXPECT_GT(excursion(side, kQuiet), 0.008);  // quiet 0.8-2.1 cm
     EXPECT_LT(excursion(side, kQuiet), 0.021);
@@ -104,7 +132,7 @@ TEST(ThoraxMotion, TheDomeDescendsAsMeasured) {
   }
 }
 
-TEST(ThoraxMotion, BreathesTheMeasuredVolumes) {
+TEST_P(ThoraxMotionOf, BreathesTheMeasuredVolumes) {
   const double rest = lungVolume(0.0);
   const double tidal = lungVolume(kQuiet) - rest;
   const double capacity = lungVolume(1.0) - rest;
@@ -119,7 +147,7 @@ TEST(ThoraxMotion, BreathesTheMeasuredVolumes) {
   }
 }
 
-TEST(ThoraxMotion, SternumGoesUpAndForwardsWithoutSwaying) {
+TEST_P(ThoraxMotionOf, SternumGoesUpAndForwardsWithoutSwaying) {
   const BodyMotions bodies = thorax().motion.cage().bodies(1.0);
   const Eigen::Vector3d rest = thorax().anatomy.sternum.sternalAngle.cast<double>();
   const Eigen::Vector3d moved = bodies[kSternum] * rest;
@@ -128,7 +156,7 @@ TEST(ThoraxMotion, SternumGoesUpAndForwardsWithoutSwaying) {
   EXPECT_NEAR(moved.x(), rest.x(), 0.001);
 }
 
-TEST(ThoraxMotion, TheCageWidensOnBothSides) {
+TEST_P(ThoraxMotionOf, TheCageWidensOnBothSides) {
   for (const Rib& part : thorax().anatomy.ribs) {
     const BodyMotions bodies = thorax().motion.cage().bodies(1.0);
     const Eigen::Isometry3d& motion = bodies[static_cast<std::size_t>(ribBody(part.side, part.number))];
@@ -142,7 +170,7 @@ TEST(ThoraxMotion, TheCageWidensOnBothSides) {
   }
 }
 
-TEST(ThoraxMotion, CartilagesStayAttachedAtBothEnds) {
+TEST_P(ThoraxMotionOf, CartilagesStayAttachedAtBothEnds) {
   const Anatomy& anatomy = thorax().anatomy;
   for (int k = 0; k <= kSteps; ++k) {
     const BodyMotions motions = thorax().motion.cage().bodies(static_cast<double>(k) / kSteps);
@@ -183,7 +211,7 @@ TEST(ThoraxMotion, CartilagesStayAttachedAtBothEnds) {
   }
 }
 
-TEST(ThoraxMotion, OrgansFollowTheCageWithoutGapsOrPenetration) {
+TEST_P(ThoraxMotionOf, OrgansFollowTheCageWithoutGapsOrPenetration) {
   ContactProbe probe(thorax().anatomy, thorax().motion);
   for (int k = 0; k <= kSteps; ++k) {
     const double inflation = static_cast<double>(k) / kSteps;
@@ -195,7 +223,7 @@ TEST(ThoraxMotion, OrgansFollowTheCageWithoutGapsOrPenetration) {
   }
 }
 
-TEST(ThoraxMotion, TheZoneOfAppositionShortens) {
+TEST_P(ThoraxMotionOf, TheZoneOfAppositionShortens) {
   // Height of the fold above the rim in the middle of the lateral wall, from the diaphragm's own points.
   const Diaphragm& diaphragm = thorax().anatomy.diaphragm;
   const auto height = [&](double inflation) {
@@ -222,9 +250,22 @@ TEST(ThoraxMotion, TheZoneOfAppositionShortens) {
   EXPECT_GT(height(1.0), 0.0);
 }
 
-TEST(ThoraxMotion, RefusesAnInflationThatIsNotFinite) {
+TEST_P(ThoraxMotionOf, RefusesAnInflationThatIsNotFinite) {
   EXPECT_THROW(thorax().motion.evaluate(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
 }
+
+TEST_P(ThoraxMotionOf, PlaysTheThesisAmplitudesToo) {
+  ThoraxMotion motion(thorax().anatomy, {}, thesisRibAngles(1.0), thesisRibAngles(-1.0));
+  motion.evaluate(1.0);
+  EXPECT_GT(
+      enclosed(motion.lung(0), thorax().anatomy.lungs[0].mesh.triangles),
+      enclosed(thorax().anatomy.lungs[0].mesh.points, thorax().anatomy.lungs[0].mesh.triangles) + 0.8e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Anatomies, ThoraxMotionOf, ::testing::Values(From::Figures, From::Meshes),
+                         [](const auto& test) {
+                           return test.param == From::Figures ? "Generated" : "Scanned";
+                         });
 
 }  // namespace
 }  // namespace pleura
