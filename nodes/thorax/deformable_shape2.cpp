@@ -91,6 +91,13 @@ void DeformableShape2::gatherContacts() {
   for (const int i : driven_) slot_[static_cast<std::size_t>(i)] = -1;
 }
 
+void DeformableShape2::takeTargets(std::vector<Vec3f>& positions) {
+  if (!std::all_of(targets_.begin(), targets_.end(), [](const Vec3f& p) { return isFinite(p); }))
+    throw std::invalid_argument("contactPoint: a point that is not finite");
+  for (std::size_t i = 0; i < driven_.size(); ++i)
+    positions[static_cast<std::size_t>(driven_[i])] = targets_[i];
+}
+
 void DeformableShape2::deform(std::vector<Vec3f>& positions) {
   if (origCoord.empty()) return positions.clear();
   if (positions.size() != origCoord.size()) positions = origCoord.getValue();
@@ -107,6 +114,7 @@ void DeformableShape2::deform(std::vector<Vec3f>& positions) {
     }
     gatherContacts();
     ++solveCounter();
+    if (driven_.size() == positions.size()) return takeTargets(positions);
     solver->deform(driven_, targets_, positions);
   } catch (const std::invalid_argument& refused) {
     context().warn(*this, refused.what());

@@ -61,8 +61,12 @@ TEST(PleuralWall, IsCarriedByTheRingsItTouches) {
   forCylinder(cage.wall, [&](std::size_t k) {
     const float away = std::abs(cage.wall.rest[k].y() - RingCage::heightOf(2));
     const float moved = (now[k] - cage.wall.rest[k]).norm();
-    if (away < 0.001f) EXPECT_NEAR(moved, 0.01f, 1e-4f);
-    if (away > RingCage::kApart) EXPECT_EQ(moved, 0.0f);
+    if (away < 0.001f) {
+      EXPECT_NEAR(moved, 0.01f, 1e-4f);
+    }
+    if (away > RingCage::kApart) {
+      EXPECT_EQ(moved, 0.0f);
+    }
   });
 }
 

@@ -58,7 +58,9 @@ TEST(WallBinding, FollowsTheMovedWallAndSlidesDownIt) {
     const Eigen::Vector4f carried = followWall(cage.wall, now, slideByRows(), place, 0.0);
     EXPECT_LT((carried - place.rest - Eigen::Vector4f(0.0f, 0.01f, 0.0f, 0.0f)).norm(), 1e-5f);
     const Eigen::Vector4f slid = followWall(cage.wall, cage.wall.rest, slideByRows(), place, 1.0);
-    if (place.v < 1.9f) EXPECT_LT(slid.y(), place.rest.y());
+    if (place.v < 1.9f) {
+      EXPECT_LT(slid.y(), place.rest.y());
+    }
     EXPECT_NEAR(std::hypot(slid.x(), slid.z()), std::hypot(place.rest.x(), place.rest.z()), 0.003f);
   }
 }
