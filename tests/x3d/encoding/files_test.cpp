@@ -1,0 +1,113 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <pleura/tests/x3d/encoding/read_scene.h>
+#include <pleura/tests/x3d/temporary_folder.h>
+
+namespace pleura {
+namespace {
+
+using testing::Each;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+TEST(ReadFiles, GzipIsUnpacked) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "packed.x3dz";
+  const std::string text = "<Scene><Group DEF='G'/></Scene>";
+  gzFile out = gzopen(file.c_str(), "wb");
+  gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(out);
+  const ReadScene scene(file);
+  EXPECT_THAT(scene.said(), IsEmpty());
+  EXPECT_EQ(scene.document.names.count("G"), 1u);
+}
+
+TEST(ReadFiles, DamagedGzipIsAnError) {
+  const TemporaryFolder folder;
+  const ReadScene scene(
+      folder.write("bad.x3dz", std::string_view("\x1f\x8b\x08\0\0\0\0\0\0\x03 not deflate", 22)));
+  EXPECT_GE(scene.diagnostics.errors(), 1u);
+  EXPECT_THAT(scene.document.nodes, IsEmpty());
+}
+
+TEST(ReadFiles, WhatIsNoSceneIsAnErrorThatNamesTheFile) {
+  const TemporaryFolder folder;
+  const std::filesystem::path files[] = {
+      folder.path() / "missing.x3d", folder.path(), folder.write("empty.x3d", ""),
+      folder.write("rubbish.x3d", std::string_view("\0\1\xff\xfe rubbish <<>>", 18)), "/dev/null"};
+  for (const auto& file : files) {
+    SCOPED_TRACE(file);
+    const ReadScene scene(file);
+    EXPECT_GE(scene.diagnostics.errors(), 1u);
+    EXPECT_THAT(scene.said(), Each(HasSubstr(file.string())));
+    EXPECT_THAT(scene.document.nodes, IsEmpty());
+  }
+}
+
+TEST(ReadFiles, ATruncatedFileIsAnErrorWhereverItEnds) {
+  const std::string whole =
+      "<X3D version='4.0'><Scene><Transform DEF='T' translation='1 2 3'>\n<Shape><Box/></Shape></Transform>"
+      "<ROUTE fromNode='T' fromField='scale' toNode='T' toField='center'/></Scene></X3D>";
+  EXPECT_THAT(ReadScene::ofText(whole).said(), IsEmpty());
+  for (std::size_t length = 1; length < whole.size(); ++length)
+    EXPECT_GE(ReadScene::ofText(whole.substr(0, length)).diagnostics.errors(), 1u) << whole.substr(0, length);
+}
+
+TEST(ReadFiles, EveryByteMayBeWrong) {
+  const std::string whole = "<Scene><Shape DEF='S'><Box size='1 2 3'/></Shape><Shape USE='S'/></Scene>";
+  for (std::size_t at = 0; at < whole.size(); ++at)
+    for (const char wrong : {'\0', '<', '>', '\'', '&', ' ', '\xff', 'S'}) {
+      std::string text = whole;
+      text[at] = wrong;
+      EXPECT_LE(ReadScene::ofText(text).document.nodes.size(), 2u);
+    }
+}
+
+TEST(ReadLimits, NoEntityBombAndNoExternalEntity) {
+  std::string text = "<!DOCTYPE X3D [<!ENTITY a0 'aaaaaaaaaa'>";
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = "&a" + std::to_string(i - 1) + ";";
+    text += "<!ENTITY a" + std::to_string(i) + " '" + before + before + before + before + "'>";
+  }
+  text += "<!ENTITY passwords SYSTEM 'file:///etc/passwd'>]>";
+  auto scene =
+      ReadScene::ofText(text + "<Scene><WorldInfo DEF='W' title='&a29;'/><Group>&passwords;</Group></Scene>");
+  for (const auto& [name, node] : scene.document.names)
+    EXPECT_LT(node->getField("title")->getValueAsString().size(), 1000u);
+}
+
+TEST(ReadLimits, DeepNestingIsToldOnceAndCutOff) {
+  constexpr int kDeep = 100000;
+  std::string text;
+  for (int i = 0; i < kDeep; ++i) text += "<Group>";
+  for (int i = 0; i < kDeep; ++i) text += "</Group>";
+  const auto scene = ReadScene::ofText(text);
+  ASSERT_THAT(scene.said(), SizeIs(1));
+  EXPECT_THAT(scene.said()[0], HasSubstr("nested more than 1000 deep"));
+}
+
+TEST(ReadLimits, UseBombIsCutOff) {
+  std::string text = "<Group DEF='G0'/>";
+  for (int i = 1; i < 64; ++i) {
+    const std::string use = "<Group USE='G" + std::to_string(i - 1) + "'/>";
+    text += "<Group DEF='G" + std::to_string(i) + "'>" + use + use + "</Group>\n";
+  }
+  const auto scene = ReadScene::ofElements(text);
+  EXPECT_GE(scene.diagnostics.errors(), 1u);
+  EXPECT_THAT(scene.said()[0], HasSubstr("too large or too deep"));
+}
+
+TEST(ReadLimits, DepthThroughUseIsCutOff) {
+  std::string text = "<Group DEF='G0'/>";
+  for (int i = 1; i < 1500; ++i)
+    text += "<Group DEF='G" + std::to_string(i) + "'><Group USE='G" + std::to_string(i - 1) + "'/></Group>\n";
+  const auto scene = ReadScene::ofElements(text);
+  ASSERT_GE(scene.diagnostics.errors(), 1u);
+  EXPECT_THAT(scene.said()[0], HasSubstr("too large or too deep"));
+}
+
+}  // namespace
+}  // namespace pleura
