@@ -1,0 +1,35 @@
+#include <array>
+#include <cstdio>
+#include <stdexcept>
+
+#include <sys/wait.h>
+
+#include <pleura/tests/x3d/commands/run_program.h>
+
+namespace pleura {
+
+namespace {
+
+std::string quoted(const std::string& word) {
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
+}  // namespace
+
+Outcome runProgram(const std::vector<std::string>& arguments) {
+  std::string command = "timeout 60 " + quoted(PLEURA_PROGRAM);
+  for (const auto& argument : arguments) command += " " + quoted(argument);
+  std::FILE* pipe = ::popen((command + " 2>&1 </dev/null").c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("can't run " + command);
+  Outcome outcome;
+  std::array<char, 4096> block{};
+  while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe))
+    outcome.output.append(block.data(), got);
+  const int status = ::pclose(pipe);
+  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return outcome;
+}
+
+}  // namespace pleura
