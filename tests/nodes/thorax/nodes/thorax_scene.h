@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <pleura/x3d/browser/scene/scene.h>
+
+namespace pleura {
+
+inline const std::filesystem::path& sceneFolder() {
+  static const std::filesystem::path folder = std::filesystem::path(PLEURA_SOURCE_DIR) / "scenes";
+  return folder;
+}
+
+inline std::unique_ptr<Scene> breathingThorax() {
+  auto scene = std::make_unique<Scene>();
+  scene->load(sceneFolder() / "breathing_thorax.x3d");
+  return scene;
+}
+
+template <class FieldClass>
+typename FieldClass::value_type valueOf(Scene& scene, const std::string& path) {
+  return dynamic_cast<FieldClass&>(scene.field(path)).getValue();
+}
+
+}  // namespace pleura
