@@ -71,7 +71,7 @@ TEST(Laziness, RibsAloneLoadNoOrgan) {
       "<ROUTE fromNode='BREATH' fromField='inflation' toNode='RIB' toField='inflation'/></Scene>"));
   EXPECT_EQ(scene.diagnostics().all().size(), 0u);
   EXPECT_EQ(solvesOfTenTicks(scene), 0u);
-  EXPECT_GT(valueOf<SFRotation>(scene, "RIB.rotation").angle(), 0.01);
+  EXPECT_GT(valueOf<SFRotation>(scene, "RIB.rotation").angle, 0.01);
 }
 
 }  // namespace

@@ -114,9 +114,9 @@ TEST(ThoraxScene, RibsTurnWithTheBreath) {
   const auto scene = breathingThorax();
   scene->set("BREATH.depth=1");
   scene->tick(0);
-  EXPECT_NEAR(valueOf<SFRotation>(*scene, "RIB_L5.rotation").angle(), 0, 1e-6);
+  EXPECT_NEAR(valueOf<SFRotation>(*scene, "RIB_L5.rotation").angle, 0, 1e-6);
   scene->tick(kPeriod / 3);
-  EXPECT_GT(valueOf<SFRotation>(*scene, "RIB_L5.rotation").angle(), 0.1);
+  EXPECT_GT(valueOf<SFRotation>(*scene, "RIB_L5.rotation").angle, 0.1);
 }
 
 }  // namespace
