@@ -13,6 +13,7 @@
 #include <pleura/x3d/import/assimp_scene.h>
 #include <pleura/x3d/import/guarded_files.h>
 #include <pleura/x3d/import/mesh_import.h>
+#include <pleura/x3d/import/trial_run.h>
 
 namespace pleura {
 
@@ -80,6 +81,22 @@ ImportedScene importFrom(std::unique_ptr<GuardedFiles> files, const std::filesys
   return result;
 }
 
+/// Assimp's readers can crash or run on for ever on a damaged file: a copy of this process goes first.
+template <class MakeFiles>
+ImportedScene importSafely(MakeFiles makeFiles, const std::filesystem::path& file,
+                           const MeshImportOptions& options) {
+  constexpr int kLongest = 120;  // [s]
+  switch (tryInChild([&] { importFrom(makeFiles(), file, options); }, kLongest)) {
+    case Trial::crashed:
+      throw MeshImportError(file, "damaged: its reader breaks down on it");
+    case Trial::hung:
+      throw MeshImportError(file, "damaged: its reader comes to no end");
+    case Trial::finished:
+      break;
+  }
+  return importFrom(makeFiles(), file, options);
+}
+
 }  // namespace
 
 Matrix3d axesNamed(const std::string& text) {
@@ -108,14 +125,14 @@ ImportedScene importMesh(const std::filesystem::path& file, const MeshImportOpti
   if (!std::filesystem::is_regular_file(status)) throw MeshImportError(file, "not a file");
   if (std::filesystem::file_size(file, error) == 0 || error)
     throw MeshImportError(file, "empty, or can't be read");
-  return importFrom(std::make_unique<GuardedFiles>(), file, options);
+  return importSafely([] { return std::make_unique<GuardedFiles>(); }, file, options);
 }
 
 ImportedScene importMesh(std::span<const std::byte> content, const std::string& name,
                          const MeshImportOptions& options) {
   const std::filesystem::path file(name);
   if (content.empty()) throw MeshImportError(file, "empty");
-  return importFrom(std::make_unique<GuardedFiles>(name, content), file, options);
+  return importSafely([&] { return std::make_unique<GuardedFiles>(name, content); }, file, options);
 }
 
 }  // namespace pleura
