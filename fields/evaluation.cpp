@@ -56,21 +56,21 @@ void Field::evaluatePendingInputs() {
       for (const Step& step : steps) step.field->evaluating_ = false;
     }
   } path;
+  Step step{this, 0};
   evaluating_ = true;
-  path.steps.push_back({this, 0});
   while (true) {
-    Step& step = path.steps.back();
     if (step.next < step.field->routes_in.size()) {
       Field* input = step.field->routes_in[step.next++];
       if (input->isUpToDate() || input->evaluating_) continue;
+      path.steps.push_back(step);
       input->evaluating_ = true;
-      path.steps.push_back({input, 0});
+      step = {input, 0};
       continue;
     }
-    if (path.steps.size() == 1) return;
-    Field* field = step.field;
+    if (path.steps.empty()) return;
+    step.field->runUpdate();
+    step = path.steps.back();
     path.steps.pop_back();
-    field->runUpdate();
   }
 }
 

@@ -145,14 +145,15 @@ class Field {
   [[noreturn]] void refuseGet() const;
   [[noreturn]] void refuseRoute(const Field& to, const std::string& why) const;
 
-  FieldOwner* owner_ = nullptr;
-  const FieldDeclaration* declaration_ = nullptr;
-  Access access_ = Access::inputOutput;
+  // Next to what an event reads and writes above.
   bool settled_ = false;  // all that is downstream is out of date already, each by way of this field
   bool observes_ = false;
   bool queued_ = false;        // waits for afterEvents()
   bool inputsChanged_ = true;  // since checkInputs() last found them right
   bool evaluating_ = false;
+  Access access_ = Access::inputOutput;
+  FieldOwner* owner_ = nullptr;
+  const FieldDeclaration* declaration_ = nullptr;
 };
 
 }  // namespace pleura

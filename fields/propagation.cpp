@@ -19,12 +19,6 @@ constexpr std::size_t kMostRounds = 100'000;
 /// The path from the origin to where the walk stands, and the fields to call back after it: one a thread,
 /// reused.
 struct Propagation::Walk {
-  struct Step {
-    Field* field;
-    Field* const* next;
-    Field* const* last;
-    bool settled;  // every target so far is out of date by way of `field`, with all that follows it
-  };
   std::vector<Step> path;
   std::vector<Field*> observers;
   bool calling = false;
@@ -45,22 +39,20 @@ void Propagation::start(Field& origin) {
   origin.event.stamp = stamp;
   if (origin.settled_) return;
   Field* const* first = origin.routes_out.data();
-  walk(origin, first, first + origin.routes_out.size(), stamp);
+  walk({&origin, first, first + origin.routes_out.size(), true}, stamp);
   callObservers();
 }
 
 void Propagation::start(Field& origin, Field* target) {
   const std::uint64_t stamp = nextStamp();
   origin.event.stamp = stamp;
-  walk(origin, &target, &target + 1, stamp);
-  origin.settled_ = false;
+  walk({&origin, &target, &target + 1, false}, stamp);
   callObservers();
 }
 
-/// Whether the event has come by `field` already: walked, or passed over with all that is below a settled
-/// field. What is found is noted in the stamps, so that no way up is gone twice.
-bool Propagation::hasPassed(Field& field, std::uint64_t stamp) {
-  if (field.event.stamp >= stamp) return true;
+/// Whether the event has passed over `field`, with all else that is below a settled field. What is found is
+/// noted in the stamps, so that no way up is gone twice.
+bool Propagation::isPassedOver(Field& field, std::uint64_t stamp) {
   const Field* above = field.event.sender;
   while (above != nullptr && above->settled_ && above->event.stamp < stamp) above = above->event.sender;
   if (above == nullptr || !above->settled_) return false;
@@ -68,50 +60,64 @@ bool Propagation::hasPassed(Field& field, std::uint64_t stamp) {
   return true;
 }
 
+void Propagation::tellObserver(Field& from, Field& to, std::uint64_t stamp) {
+  to.observe({&from, stamp});
+  if (to.queued_) return;
+  to.queued_ = true;
+  Walk::ofThread().observers.push_back(&to);
+}
+
 /// Marks `to` as out of date by `from`, if the event is news to it.
 bool Propagation::arrive(Field& from, Field& to, std::uint64_t stamp) {
-  if (to.observes_) {
-    to.observe({&from, stamp});
-    if (!to.queued_) {
-      to.queued_ = true;
-      Walk::ofThread().observers.push_back(&to);
-    }
+  if (to.observes_) tellObserver(from, to, stamp);
+  if (to.event.stamp >= stamp) return false;
+  if (to.event.sender != nullptr && to.event.sender->settled_) {
+    if (isPassedOver(to, stamp)) return false;
+    Field::unsettle(to.event.sender);
   }
-  if (hasPassed(to, stamp)) return false;
-  if (to.event.sender != &from) Field::unsettle(to.event.sender);
   to.event = {&from, stamp};
   return true;
 }
 
-void Propagation::walk(Field& origin, Field* const* first, Field* const* last, std::uint64_t stamp) {
+/// A field is settled as soon as only its last target is left to walk, so that a chain needs no path; should
+/// that turn out wrong, whoever finds out unsettles what is above.
+void Propagation::walk(Step step, std::uint64_t stamp) {
   auto& path = Walk::ofThread().path;
   const std::size_t base = path.size();
   std::uint64_t accepted = 0;
-  path.push_back({&origin, first, last, true});
-  while (path.size() > base) {
-    auto& step = path.back();
-    if (step.next == step.last) {
-      const bool settled = step.settled;
-      step.field->settled_ = settled;
-      path.pop_back();
-      if (!settled && path.size() > base) path.back().settled = false;
-      continue;
+  while (true) {
+    while (step.next != step.last) {
+      Field& to = **step.next++;
+      const bool isNews = arrive(*step.field, to, stamp);
+      // An observing field has to hear every event, and one reached by two ways has to hear each of them.
+      if (!isNews || to.observes_) step.settled = false;
+      if (!isNews) continue;
+      ++accepted;
+      if (to.settled_) continue;
+      if (to.routes_out.empty()) {
+        to.settled_ = true;
+        continue;
+      }
+      if (step.next == step.last) {
+        settle(*step.field, step.settled);
+      } else {
+        path.push_back(step);
+      }
+      Field* const* out = to.routes_out.data();
+      step = {&to, out, out + to.routes_out.size(), true};
     }
-    Field& to = **step.next++;
-    const bool isNews = arrive(*step.field, to, stamp);
-    // An observing field has to hear every event, and one reached by two ways has to hear each of them.
-    if (!isNews || to.observes_) step.settled = false;
-    if (!isNews) continue;
-    ++accepted;
-    if (to.settled_) continue;
-    if (to.routes_out.empty()) {
-      to.settled_ = true;
-      continue;
-    }
-    Field* const* out = to.routes_out.data();
-    path.push_back({&to, out, out + to.routes_out.size(), true});
+    settle(*step.field, step.settled);
+    if (path.size() == base) break;
+    step = path.back();
+    path.pop_back();
+    if (!step.next[-1]->settled_) step.settled = false;
   }
   fieldCounters().events += accepted;
+}
+
+void Propagation::settle(Field& field, bool settled) {
+  field.settled_ = settled;
+  if (!settled) Field::unsettle(field.event.sender);
 }
 
 /// Each is called, though one before it throws; the first exception is thrown on. What an observer sets may

@@ -20,11 +20,19 @@ class Propagation {
   static void forget(const Field* field);
 
  private:
+  struct Step {
+    Field* field;
+    Field* const* next;
+    Field* const* last;
+    bool settled;  // every target so far is out of date by way of `field`, with all that follows it
+  };
   struct Walk;
   static std::uint64_t nextStamp();
-  static void walk(Field& origin, Field* const* first, Field* const* last, std::uint64_t stamp);
+  static void walk(Step step, std::uint64_t stamp);
+  static void tellObserver(Field& from, Field& to, std::uint64_t stamp);
   static bool arrive(Field& from, Field& to, std::uint64_t stamp);
-  static bool hasPassed(Field& field, std::uint64_t stamp);
+  static void settle(Field& field, bool settled);
+  static bool isPassedOver(Field& field, std::uint64_t stamp);
   static void callObservers();
 };
 

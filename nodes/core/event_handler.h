@@ -4,7 +4,7 @@
 
 #include <pleura/fields/auto_update.h>
 #include <pleura/fields/event_collecting_field.h>
-#include <pleura/fields/field_types.h>
+#include <pleura/nodes/core/node.h>
 
 namespace pleura {
 

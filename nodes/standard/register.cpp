@@ -26,14 +26,11 @@
 #include <pleura/nodes/standard/interpolation/color_interpolator.h>
 #include <pleura/nodes/standard/interpolation/coordinate_interpolator.h>
 #include <pleura/nodes/standard/interpolation/coordinate_interpolator2d.h>
-#include <pleura/nodes/standard/interpolation/ease_in_ease_out.h>
 #include <pleura/nodes/standard/interpolation/normal_interpolator.h>
 #include <pleura/nodes/standard/interpolation/orientation_interpolator.h>
 #include <pleura/nodes/standard/interpolation/position_interpolator.h>
 #include <pleura/nodes/standard/interpolation/position_interpolator2d.h>
 #include <pleura/nodes/standard/interpolation/scalar_interpolator.h>
-#include <pleura/nodes/standard/interpolation/spline_position_interpolator.h>
-#include <pleura/nodes/standard/interpolation/spline_scalar_interpolator.h>
 #include <pleura/nodes/standard/keydevicesensor/key_sensor.h>
 #include <pleura/nodes/standard/keydevicesensor/string_sensor.h>
 #include <pleura/nodes/standard/lighting/directional_light.h>
@@ -96,7 +93,6 @@ void registerStandardNodes(NodeRegistry& registry) {
   registry.add<CoordinateInterpolator2D>();
   registry.add<Cylinder>();
   registry.add<DirectionalLight>();
-  registry.add<EaseInEaseOut>();
   registry.add<Fog>();
   registry.add<FontStyle>();
   registry.add<Group>();
@@ -132,8 +128,6 @@ void registerStandardNodes(NodeRegistry& registry) {
   registry.add<ScalarInterpolator>();
   registry.add<Shape>();
   registry.add<Sphere>();
-  registry.add<SplinePositionInterpolator>();
-  registry.add<SplineScalarInterpolator>();
   registry.add<SpotLight>();
   registry.add<StaticGroup>();
   registry.add<StringSensor>();

@@ -15,7 +15,9 @@ void ContactPoints::declare(NodeType& type) {
       .means("points of object 2, which follows");
   type.field<&ContactPoints::dist>("dist", inputOutput, {0.005f, 0, -1000, 1000, -1000})
       .measuredIn(Unit::length)
-      .means("farthest at which a point follows; at which it is rigid; least and greatest z; least x considered");
+      .means(
+          "farthest at which a point follows; at which it is rigid; least and greatest z; least x "
+          "considered");
   type.field<&ContactPoints::touch>("touch", outputOnly, {})
       .means("pairs: a point of object 1, the point of object 2 that follows it");
   type.field<&ContactPoints::rigid_touch>("rigid_touch", outputOnly, {})
@@ -24,7 +26,8 @@ void ContactPoints::declare(NodeType& type) {
 
 ContactPoints::ContactPoints() {
   for (Pairs* pairs : {&touch, &rigid_touch})
-    for (Field* input : {static_cast<Field*>(&coord1), static_cast<Field*>(&coord2), static_cast<Field*>(&dist)})
+    for (Field* input :
+         {static_cast<Field*>(&coord1), static_cast<Field*>(&coord2), static_cast<Field*>(&dist)})
       input->routeNoEvent(*pairs);
 }
 
@@ -33,8 +36,9 @@ void ContactPoints::Pairs::update() {
   const auto& limits = static_cast<MFFloat*>(routes_in[2])->getValue();
   if (limits.size() != 5) return;
   const ContactRegion region{limits[2], limits[3], limits[4]};
-  const auto contacts = nearestContacts(static_cast<MFVec3f*>(routes_in[0])->getValue(),
-                                        static_cast<MFVec3f*>(routes_in[1])->getValue(), region, limits[distance_]);
+  const auto contacts =
+      nearestContacts(static_cast<MFVec3f*>(routes_in[0])->getValue(),
+                      static_cast<MFVec3f*>(routes_in[1])->getValue(), region, limits[distance_]);
   for (const auto& contact : contacts) {
     value.push_back(contact.first);
     value.push_back(contact.second);

@@ -6,8 +6,8 @@
 
 namespace pleura {
 
-/// Finds which points of object 2 follow which of object 1, from their distances at rest: once, and again only when an
-/// input changes.
+/// Finds which points of object 2 follow which of object 1, from their distances at rest: once, and again
+/// only when an input changes.
 class ContactPoints : public X3DChildNode {
  public:
   MFVec3f coord1;

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include <pleura/nodes/core/scene_context.h>
@@ -11,7 +11,8 @@ void ContactsNode::declare(NodeType& type) {
   using enum Access;
   type.field<&ContactsNode::inflation>("inflation", inputOutput, 0).means("0 at FRC, 1 at TLC");
   type.field<&ContactsNode::organ>("organ", initializeOnly, {}).means("whose points are held");
-  type.field<&ContactsNode::index>("index", outputOnly, {}).means("the organ's points that are held");
+  type.field<&ContactsNode::index>("index", outputOnly, {})
+      .means("the organ's points that are held or follow between");
   type.field<&ContactsNode::point>("point", outputOnly, {})
       .measuredIn(Unit::length)
       .means("where they are now, one for each of index");
@@ -37,7 +38,6 @@ bool ContactsNode::isBound() {
   try {
     usable_ = false;
     bind();
-    all_ = held->origCoord.getValue();
     usable_ = true;
   } catch (const std::invalid_argument& refused) {
     context().warn(*this, refused.what());
@@ -46,15 +46,13 @@ bool ContactsNode::isBound() {
 }
 
 void ContactsNode::evaluateIndex(std::vector<int>& out) {
-  out.clear();
-  if (isBound()) out = boundPoints();
+  out.resize(isBound() ? organ.get()->origCoord.size() : 0);
+  std::iota(out.begin(), out.end(), 0);
 }
 
 void ContactsNode::evaluatePoint(std::vector<Vec3f>& out) {
-  out.clear();
-  if (!isBound()) return;
-  follow(all_);
-  for (const int i : boundPoints()) out.push_back(all_[static_cast<std::size_t>(i)]);
+  out.resize(isBound() ? organ.get()->origCoord.size() : 0);
+  if (!out.empty()) follow(out);
 }
 
 }  // namespace pleura

@@ -9,8 +9,9 @@
 
 namespace pleura {
 
-/// Says which points of an organ are held by what is around it, and where they are now. Bindings are made once, from
-/// the shapes at rest, when somebody first asks. Its outputs are routed to the organ's contactIndex and contactPoint.
+/// Says where the points of an organ are now that is held by what is around it: those near a wall follow it
+/// exactly, those between follow smoothly. Bindings are made once, from the shapes at rest, when somebody
+/// first asks. Its outputs are routed to the organ's contactIndex and contactPoint.
 class ContactsNode : public X3DChildNode {
  public:
   SFFloat inflation;
@@ -30,10 +31,10 @@ class ContactsNode : public X3DChildNode {
 
  protected:
   void onInitialize() override;
-  /// Binds to the shapes at rest; once, and again when the organ's rest shape changes. Throws std::invalid_argument.
+  /// Binds to the shapes at rest; once, and again when the organ's rest shape changes. Throws
+  /// std::invalid_argument.
   virtual void bind() = 0;
-  virtual const std::vector<int>& boundPoints() const = 0;
-  /// Where all points of the organ would be now, into `all`, one a point.
+  /// Where the points of the organ are now, into `all`, one a point.
   virtual void follow(std::span<Vec3f> all) = 0;
   /// What moves the points, beside the inflation.
   virtual std::vector<Field*> movers() = 0;
@@ -45,7 +46,6 @@ class ContactsNode : public X3DChildNode {
 
   std::uint64_t boundStamp_ = 0;
   bool usable_ = false;
-  std::vector<Vec3f> all_;
 };
 
 }  // namespace pleura

@@ -2,8 +2,8 @@
 #include <stdexcept>
 
 #include <pleura/nodes/core/scene_context.h>
+#include <pleura/nodes/deformable/geometry_mesh.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
-#include <pleura/nodes/deformable/rest_mesh.h>
 #include <pleura/nodes/deformable/solve_counter.h>
 #include <pleura/nodes/standard/rendering/coordinate.h>
 #include <pleura/nodes/standard/rendering/x3d_composed_geometry_node.h>
@@ -59,8 +59,8 @@ const TriangleMesh& DeformableShape2::rest() {
   const std::array<std::uint64_t, 2> stamps = {origCoord.getStamp(), geometry.getStamp()};
   if (stamps == meshStamps_ || geometry.get() == nullptr) return rest_;
   meshStamps_ = stamps;
-  rest_ = restMesh(*geometry.get());
   rest_.points = origCoord.getValue();
+  rest_.triangles = trianglesOf(*geometry.get(), rest_.points.size());
   return rest_;
 }
 
@@ -91,6 +91,13 @@ void DeformableShape2::gatherContacts() {
   for (const int i : driven_) slot_[static_cast<std::size_t>(i)] = -1;
 }
 
+void DeformableShape2::takeTargets(std::vector<Vec3f>& positions) {
+  if (!std::all_of(targets_.begin(), targets_.end(), [](const Vec3f& p) { return isFinite(p); }))
+    throw std::invalid_argument("contactPoint: a point that is not finite");
+  for (std::size_t i = 0; i < driven_.size(); ++i)
+    positions[static_cast<std::size_t>(driven_[i])] = targets_[i];
+}
+
 void DeformableShape2::deform(std::vector<Vec3f>& positions) {
   if (origCoord.empty()) return positions.clear();
   if (positions.size() != origCoord.size()) positions = origCoord.getValue();
@@ -107,6 +114,7 @@ void DeformableShape2::deform(std::vector<Vec3f>& positions) {
     }
     gatherContacts();
     ++solveCounter();
+    if (driven_.size() == positions.size()) return takeTargets(positions);
     solver->deform(driven_, targets_, positions);
   } catch (const std::invalid_argument& refused) {
     context().warn(*this, refused.what());

@@ -47,6 +47,8 @@ class DeformableShape2 : public X3DShapeNode {
  private:
   void deform(std::vector<Vec3f>& positions);
   void takeRest();
+  /// Every point is held: there is nothing left for the deformer to do.
+  void takeTargets(std::vector<Vec3f>& positions);
   void gatherContacts();
 
   TriangleMesh rest_;

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include <pleura/nodes/thorax/diaphragm_contacts.h>
@@ -6,10 +8,12 @@ namespace pleura {
 
 void DiaphragmContacts::declare(NodeType& type) {
   ContactsNode::declare(type);
-  type.named("DiaphragmContacts", "Pleura").means("holds the diaphragm to the walls and to its descending tendon");
+  type.named("DiaphragmContacts", "Pleura")
+      .means("holds the diaphragm to the walls and to its descending tendon");
   using enum Access;
   const DomeMotion byDefault;
-  type.field<&DiaphragmContacts::walls>("walls", initializeOnly, {}).means("the PleuralWalls, left and right");
+  type.field<&DiaphragmContacts::walls>("walls", initializeOnly, {})
+      .means("the PleuralWalls, left and right");
   type.field<&DiaphragmContacts::part>("part", initializeOnly, {})
       .within(0, 3)
       .means("of each point: 0 central tendon, 1 dome, 2 zone of apposition, 3 rim");
@@ -32,10 +36,30 @@ void DiaphragmContacts::declare(NodeType& type) {
       .measuredIn(Unit::length)
       .within(0, 0.2)
       .means("how far the edge of the dome goes down the wall from FRC to TLC");
+  type.field<&DiaphragmContacts::domeHeight>("domeHeight", outputOnly, 0)
+      .measuredIn(Unit::length)
+      .means("height of the central tendon's highest point in the subject's frame");
+}
+
+void DiaphragmContacts::onInitialize() {
+  ContactsNode::onInitialize();
+  if (organ.get() != nullptr) organ.get()->deformedCoord.routeNoEvent(domeHeight, id);
+  domeHeight.touch();
+  if (organ.get() != nullptr) organ.get()->deformedCoord.touch();
+}
+
+void DiaphragmContacts::DomeHeight::update() {
+  const auto& tags = static_cast<DiaphragmContacts*>(getOwner())->part.getValue();
+  const auto& points = static_cast<MFVec3f*>(routes_in[0])->getValue();
+  float highest = -std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < std::min(tags.size(), points.size()); ++i)
+    if (tags[i] == static_cast<int>(DiaphragmPart::Tendon)) highest = std::max(highest, points[i].y());
+  value = highest;
 }
 
 PleuralWallNode& DiaphragmContacts::wall(std::size_t side) {
-  auto* node = walls.size() == 2 ? dynamic_cast<PleuralWallNode*>(walls.getValueByIndex(side).get()) : nullptr;
+  auto* node =
+      walls.size() == 2 ? dynamic_cast<PleuralWallNode*>(walls.getValueByIndex(side).get()) : nullptr;
   if (node == nullptr) throw std::invalid_argument("walls: two PleuralWalls are expected, left and right");
   return *node;
 }

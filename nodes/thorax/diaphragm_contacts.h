@@ -8,8 +8,8 @@
 
 namespace pleura {
 
-/// Holds the diaphragm: its rim and zone of apposition to the walls, its central tendon to a piston that descends as
-/// the chest inflates.
+/// Holds the diaphragm: its rim and zone of apposition to the walls, its central tendon to a piston that
+/// descends as the chest inflates.
 class DiaphragmContacts : public ContactsNode {
  public:
   MFNode walls;
@@ -20,6 +20,11 @@ class DiaphragmContacts : public ContactsNode {
   SFFloat tilt;
   SFFloat foldDrop;
 
+  class DomeHeight : public TypedField<SFFloat, Types<MFVec3f>> {
+    void update() override;
+  };
+  DomeHeight domeHeight;
+
   /// The walls with the lines on them between which lung and diaphragm slide: left, right. Throws
   /// std::invalid_argument.
   const Sides& sides();
@@ -28,8 +33,8 @@ class DiaphragmContacts : public ContactsNode {
   static void declare(NodeType& type);
 
  protected:
+  void onInitialize() override;
   void bind() override;
-  const std::vector<int>& boundPoints() const override { return motion_->driven(); }
   void follow(std::span<Vec3f> all) override;
   std::vector<Field*> movers() override;
 

@@ -19,7 +19,6 @@ class LungContacts : public ContactsNode {
 
  protected:
   void bind() override;
-  const std::vector<int>& boundPoints() const override { return motion_->driven(); }
   void follow(std::span<Vec3f> all) override;
   std::vector<Field*> movers() override;
 

@@ -2,7 +2,7 @@
 #include <list>
 #include <stdexcept>
 
-#include <pleura/nodes/deformable/rest_mesh.h>
+#include <pleura/nodes/deformable/geometry_mesh.h>
 #include <pleura/nodes/standard/grouping/x3d_grouping_node.h>
 #include <pleura/nodes/standard/networking/inline.h>
 #include <pleura/nodes/thorax/deformable_shape2.h>
@@ -16,7 +16,7 @@ namespace {
 /// Every shape's triangles below a node, in its own frame; transforms in between are no part of a bone.
 void collect(Node& node, std::list<TriangleMesh>& meshes) {
   if (auto* shape = dynamic_cast<X3DShapeNode*>(&node)) {
-    if (auto* geometry = shape->geometry.get()) meshes.push_back(restMesh(*geometry));
+    if (auto* geometry = shape->geometry.get()) meshes.push_back(meshOf(*geometry));
   } else if (auto* file = dynamic_cast<Inline*>(&node)) {
     for (const auto& child : file->contents.getValue()) collect(*child, meshes);
   } else if (auto* group = dynamic_cast<X3DGroupingNode*>(&node)) {
@@ -33,7 +33,8 @@ SkinDeformer* skinOf(Node& node) {
 
 void PleuralWallNode::declare(NodeType& type) {
   Node::declare(type);
-  type.named("PleuralWall", "Pleura").means("inner surface of one half of the cage, which lung and diaphragm slide on");
+  type.named("PleuralWall", "Pleura")
+      .means("inner surface of one half of the cage, which lung and diaphragm slide on");
   using enum Access;
   type.field<&PleuralWallNode::side>("side", initializeOnly, 1).within(-1, 1).means("1 left, -1 right");
   type.field<&PleuralWallNode::low>("low", initializeOnly, Vec3f::Zero())
@@ -46,8 +47,12 @@ void PleuralWallNode::declare(NodeType& type) {
       .measuredIn(Unit::length)
       .means("height above the middle of the axis, along it, where the wall closes over the lung");
   type.field<&PleuralWallNode::bones>("bones", initializeOnly, {})
-      .means("what bounds the cavity: Transforms of bones, DeformableShape2 with SkinDeformer, shapes that stay");
-  type.field<&PleuralWallNode::points>("points", outputOnly, {}).measuredIn(Unit::length).means("the wall's grid now");
+      .means(
+          "what bounds the cavity: Transforms of bones, DeformableShape2 with SkinDeformer, shapes that "
+          "stay");
+  type.field<&PleuralWallNode::points>("points", outputOnly, {})
+      .measuredIn(Unit::length)
+      .means("the wall's grid now");
 }
 
 int PleuralWallNode::bodyNumber(Transform& body) {
@@ -74,7 +79,8 @@ void PleuralWallNode::build() {
   const auto add = [&](Node& bone, const BodyWeights& carriedBy) {
     const auto before = meshes.size();
     collect(bone, meshes);
-    for (auto mesh = std::next(meshes.begin(), static_cast<std::ptrdiff_t>(before)); mesh != meshes.end(); ++mesh)
+    for (auto mesh = std::next(meshes.begin(), static_cast<std::ptrdiff_t>(before)); mesh != meshes.end();
+         ++mesh)
       walls.push_back({&*mesh, std::vector<BodyWeights>(mesh->points.size(), carriedBy)});
   };
   for (const auto& bone : bones.getValue()) {
@@ -83,7 +89,8 @@ void PleuralWallNode::build() {
       auto weights = skin->weights(meshes.back().points.size());
       for (auto& each : weights)
         for (auto& body : std::span(each.body).first(each.count))
-          body = static_cast<std::uint8_t>(bodyNumber(static_cast<Transform&>(*skin->bodies.getValueByIndex(body))));
+          body = static_cast<std::uint8_t>(
+              bodyNumber(static_cast<Transform&>(*skin->bodies.getValueByIndex(body))));
       walls.push_back({&meshes.back(), std::move(weights)});
     } else if (auto* transform = dynamic_cast<Transform*>(bone.get())) {
       add(*bone, rigidWith(bodyNumber(*transform)));
@@ -91,7 +98,8 @@ void PleuralWallNode::build() {
       add(*bone, {});
     }
   }
-  const auto axis = hemithoraxAxis(low.getValue().cast<double>(), high.getValue().cast<double>(), side.getValue());
+  const auto axis =
+      hemithoraxAxis(low.getValue().cast<double>(), high.getValue().cast<double>(), side.getValue());
   wall_ = buildPleuralWall(axis, walls, cupola.getValue());
   displacements_.resize(bodies_.size());
   now_ = wall_.rest;

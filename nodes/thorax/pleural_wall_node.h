@@ -10,8 +10,8 @@
 
 namespace pleura {
 
-/// The inner surface of one half of the cage, rolled over its bones at rest and carried by them: what the lung and the
-/// zone of apposition slide on. Built when it is first asked for.
+/// The inner surface of one half of the cage, rolled over its bones at rest and carried by them: what the
+/// lung and the zone of apposition slide on. Built when it is first asked for.
 class PleuralWallNode : public X3DChildNode {
  public:
   SFFloat side;

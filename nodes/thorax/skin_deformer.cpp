@@ -37,7 +37,8 @@ std::vector<BodyWeights> SkinDeformer::weights(std::size_t points) {
       continue;
     }
     if (static_cast<std::size_t>(body) >= bodies.size() || next == share.size())
-      throw std::invalid_argument("SkinDeformer: bodyIndex names a body that is not there, or a weight is missing");
+      throw std::invalid_argument(
+          "SkinDeformer: bodyIndex names a body that is not there, or a weight is missing");
     one.add(body, share[next++]);
   }
   if (all.size() != points)

@@ -9,8 +9,8 @@
 
 namespace pleura {
 
-/// Carries each point by a blend of rigid bodies: p' = p + sum w_k (M_k p - p). A costal cartilage, which bends
-/// between its rib and the sternum.
+/// Carries each point by a blend of rigid bodies: p' = p + sum w_k (M_k p - p). A costal cartilage, which
+/// bends between its rib and the sternum.
 class SkinDeformer : public DeformerNode {
  public:
   TypedMFNode<Transform> bodies;
@@ -18,11 +18,12 @@ class SkinDeformer : public DeformerNode {
   MFFloat weight;
 
   void setRest(const TriangleMesh& rest, std::span<const int> rigidPoints) override;
-  void deform(std::span<const int> driven, std::span<const Vec3f> targets, std::span<Vec3f> positions) override;
+  void deform(std::span<const int> driven, std::span<const Vec3f> targets,
+              std::span<Vec3f> positions) override;
   std::vector<Field*> inputs() override;
 
-  /// One a point. Throws std::invalid_argument unless bodyIndex has one list for each of `points` points, each ended
-  /// by -1, its bodies exist, and there is a weight for each.
+  /// One a point. Throws std::invalid_argument unless bodyIndex has one list for each of `points` points,
+  /// each ended by -1, its bodies exist, and there is a weight for each.
   std::vector<BodyWeights> weights(std::size_t points);
 
   static void declare(NodeType& type);

@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <cfenv>
 #include <cmath>
+#include <memory>
 #include <sstream>
 #include <system_error>
 
 #include <Eigen/LU>
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
+#include <assimp/scene.h>
 
 #include <pleura/x3d/import/assimp_scene.h>
+#include <pleura/x3d/import/guarded_files.h>
 #include <pleura/x3d/import/mesh_import.h>
 
 namespace pleura {
@@ -44,16 +47,28 @@ void requireReader(const Assimp::Importer& importer, const std::filesystem::path
   if (!importer.IsExtensionSupported(extension)) throw MeshImportError(file, "no reader for " + extension);
 }
 
-/// Calls read(importer, flags) and takes over what it returns.
-template <class Read>
-ImportedScene importWith(Read read, const std::filesystem::path& file, const MeshImportOptions& options) {
+/// Assimp's triangulation ends the program on a mesh that claims polygons and has none.
+void requireTruePolygons(const aiScene& scene, const std::filesystem::path& file) {
+  for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
+    const auto isPolygon = [](const aiFace& face) { return face.mNumIndices > 3; };
+    const bool claimsPolygons = (mesh->mPrimitiveTypes & aiPrimitiveType_POLYGON) != 0;
+    if (claimsPolygons && std::none_of(mesh->mFaces, mesh->mFaces + mesh->mNumFaces, isPolygon))
+      throw MeshImportError(file, "its faces don't have the corners they should");
+  }
+}
+
+ImportedScene importFrom(std::unique_ptr<GuardedFiles> files, const std::filesystem::path& file,
+                         const MeshImportOptions& options) {
   const Matrix3d frame = checkedFrame(options);
   Assimp::Importer importer;
   requireReader(importer, file);
+  importer.SetIOHandler(files.release());  // the importer's own from now on
   ImportedScene result;
   try {
     const UntrappedFloatingPoint untrapped;
-    const aiScene* scene = read(importer, aiProcess_ValidateDataStructure | aiProcess_Triangulate);
+    const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
+    if (scene != nullptr) requireTruePolygons(*scene, file);
+    if (scene != nullptr) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
     if (scene == nullptr) throw MeshImportError(file, importer.GetErrorString());
     result = partsOf(*scene, file, frame);
   } catch (const MeshImportError&) {
@@ -93,20 +108,14 @@ ImportedScene importMesh(const std::filesystem::path& file, const MeshImportOpti
   if (!std::filesystem::is_regular_file(status)) throw MeshImportError(file, "not a file");
   if (std::filesystem::file_size(file, error) == 0 || error)
     throw MeshImportError(file, "empty, or can't be read");
-  return importWith([&file](Assimp::Importer& importer,
-                            unsigned int steps) { return importer.ReadFile(file.string(), steps); },
-                    file, options);
+  return importFrom(std::make_unique<GuardedFiles>(), file, options);
 }
 
 ImportedScene importMesh(std::span<const std::byte> content, const std::string& name,
                          const MeshImportOptions& options) {
   const std::filesystem::path file(name);
   if (content.empty()) throw MeshImportError(file, "empty");
-  const auto read = [&](Assimp::Importer& importer, unsigned int steps) {
-    const std::string extension = file.extension().string();
-    return importer.ReadFileFromMemory(content.data(), content.size(), steps, extension.c_str() + 1);
-  };
-  return importWith(read, file, options);
+  return importFrom(std::make_unique<GuardedFiles>(name, content), file, options);
 }
 
 }  // namespace pleura

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/deformable/chainmail/chainmail_order.h>
-#include <pleura/nodes/deformable/chainmail/chainmail_topology.h>
-
-#include <Eigen/Core>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_order.h>
+#include <pleura/nodes/deformable/chainmail/chainmail_topology.h>
 
 namespace pleura {
 

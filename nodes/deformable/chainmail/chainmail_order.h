@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pleura/nodes/deformable/chainmail/chainmail_topology.h>
-
 #include <vector>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_topology.h>
 
 namespace pleura {
 

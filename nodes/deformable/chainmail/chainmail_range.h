@@ -1,9 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include <Eigen/Core>
 
 namespace pleura {
 

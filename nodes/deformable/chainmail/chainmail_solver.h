@@ -1,11 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/deformable/chainmail/chainmail_model.h>
-#include <pleura/nodes/deformable/chainmail/chainmail_workspace.h>
+#include <span>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <span>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_model.h>
+#include <pleura/nodes/deformable/chainmail/chainmail_workspace.h>
 
 namespace pleura {
 

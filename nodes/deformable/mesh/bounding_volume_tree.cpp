@@ -1,8 +1,9 @@
-#include <pleura/nodes/deformable/mesh/bounding_volume_tree.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+
+#include <Eigen/Geometry>
+
+#include <pleura/nodes/deformable/mesh/bounding_volume_tree.h>
 
 namespace pleura {
 

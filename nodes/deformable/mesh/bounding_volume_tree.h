@@ -1,10 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace pleura {
 

@@ -1,7 +1,7 @@
-#include <pleura/nodes/deformable/mesh/edge_uses.h>
-
 #include <algorithm>
 #include <tuple>
+
+#include <pleura/nodes/deformable/mesh/edge_uses.h>
 
 namespace pleura {
 

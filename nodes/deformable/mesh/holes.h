@@ -1,9 +1,9 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-
 #include <span>
 #include <vector>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura {
 
@@ -13,8 +13,8 @@ namespace pleura {
 std::vector<std::vector<int>> boundaryLoops(const TriangleMesh& mesh);
 
 /// Closes loops of up to maxEdges edges: by a triangle if there are three, else by a fan around a new point
-/// at their mean. A loop as long as its part has triangles is an outline, not a hole, and stays. Returns how
-/// many.
+/// at their mean. A loop whose filling has more than a quarter of its part's area is an outline, not a hole,
+/// and stays open. Returns how many were closed.
 int fillHoles(TriangleMesh& mesh, int maxEdges);
 
 }  // namespace pleura

@@ -1,9 +1,9 @@
+#include <algorithm>
+#include <array>
+
 #include <pleura/nodes/deformable/mesh/disjoint_sets.h>
 #include <pleura/nodes/deformable/mesh/edge_uses.h>
 #include <pleura/nodes/deformable/mesh/manifold.h>
-
-#include <algorithm>
-#include <array>
 
 namespace pleura {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-
 #include <vector>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura {
 

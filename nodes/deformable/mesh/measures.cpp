@@ -1,10 +1,10 @@
-#include <pleura/nodes/deformable/mesh/measures.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include <pleura/nodes/deformable/mesh/measures.h>
 
 namespace pleura {
 

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <span>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <span>
 
 namespace pleura {
 

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <map>
+
 #include <pleura/nodes/deformable/mesh/components.h>
 #include <pleura/nodes/deformable/mesh/disjoint_sets.h>
 #include <pleura/nodes/deformable/mesh/edge_uses.h>
@@ -5,9 +8,6 @@
 #include <pleura/nodes/deformable/mesh/mesh_report.h>
 #include <pleura/nodes/deformable/mesh/triangle_checks.h>
 #include <pleura/nodes/deformable/mesh/weld.h>
-
-#include <algorithm>
-#include <map>
 
 namespace pleura {
 
@@ -49,7 +49,10 @@ std::vector<Vector3i> lookAtTriangles(const TriangleMesh& mesh, MeshReport& repo
       sound.push_back(triangle);
   }
   report.unreferencedPoints = count(unreferenced);
-  report.duplicateTriangles = count(duplicates(sound));
+  const Twins twin = twins(sound);
+  report.duplicateTriangles = count(twin.repeated);
+  report.opposedTriangles =
+      static_cast<int>(std::ranges::count_if(twin.opposite, [](int other) { return other >= 0; }));
   for (const Vector3i& triangle : sound) report.flatTriangles += isFlat(triangle, mesh.points) ? 1 : 0;
   return sound;
 }
@@ -123,6 +126,8 @@ std::vector<std::string> faults(const MeshReport& report) {
       "triangles use points that don't exist");
   say(report.degenerateTriangles, "triangle uses a point twice", "triangles use a point twice");
   say(report.duplicateTriangles, "duplicate triangle", "duplicate triangles");
+  say(report.opposedTriangles, "triangle is back to back with another",
+      "triangles are back to back with others");
   say(report.flatTriangles, "triangle without area", "triangles without area");
   const std::string around = " around " + std::to_string(report.holes.size()) +
                              (report.holes.size() == 1 ? " hole (" : " holes (") + listed(report.holes) + ")";

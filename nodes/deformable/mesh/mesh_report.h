@@ -1,10 +1,11 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-
-#include <Eigen/Geometry>
 #include <string>
 #include <vector>
+
+#include <Eigen/Geometry>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura {
 
@@ -19,7 +20,8 @@ struct MeshReport {
   int outOfRangeTriangles = 0;  // use a point that isn't there
   int degenerateTriangles = 0;  // use a point twice
 
-  int duplicateTriangles = 0;  // of an earlier one's three points
+  int duplicateTriangles = 0;  // of an earlier one's three points, in the same sense
+  int opposedTriangles = 0;    // back to back with another of the same three points
   int flatTriangles = 0;       // three points in a line
   int edges = 0;
   int boundaryEdges = 0;        // used by one triangle
@@ -27,7 +29,7 @@ struct MeshReport {
   int misorientedEdges = 0;     // two triangles run through them in the same direction
   std::vector<int> holes;       // edges of each connected boundary, longest first
   int components = 0;           // of triangles that share edges
-  int insideOutComponents = 0;  // closed, with a negative volume
+  int insideOutComponents = 0;  // closed, with a negative volume; cavities too
   bool isClosed = false;        // every edge between two triangles, and there is one
   bool isSoup = false;          // under three quarters of the edges are between two triangles
   double volume = 0;            // [m^3], signedVolume()

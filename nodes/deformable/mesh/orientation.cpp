@@ -1,12 +1,12 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include <pleura/nodes/deformable/mesh/components.h>
 #include <pleura/nodes/deformable/mesh/edge_uses.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/mesh/orientation.h>
 #include <pleura/nodes/deformable/mesh/surface_query.h>
-
-#include <algorithm>
-#include <array>
-#include <utility>
 
 namespace pleura {
 

@@ -1,11 +1,12 @@
+#include <stdexcept>
+
 #include <meshoptimizer.h>
+
 #include <pleura/nodes/deformable/mesh/edge_uses.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/mesh/refinement.h>
 #include <pleura/nodes/deformable/mesh/repair.h>
 #include <pleura/nodes/deformable/mesh/topology.h>
-
-#include <stdexcept>
 
 namespace pleura {
 

@@ -1,12 +1,12 @@
+#include <algorithm>
+#include <stdexcept>
+
 #include <pleura/nodes/deformable/mesh/holes.h>
 #include <pleura/nodes/deformable/mesh/manifold.h>
 #include <pleura/nodes/deformable/mesh/orientation.h>
 #include <pleura/nodes/deformable/mesh/repair.h>
 #include <pleura/nodes/deformable/mesh/triangle_checks.h>
 #include <pleura/nodes/deformable/mesh/weld.h>
-
-#include <algorithm>
-#include <stdexcept>
 
 namespace pleura {
 
@@ -30,15 +30,21 @@ int weld(TriangleMesh& mesh, double distance) {
   return welded;
 }
 
+/// Two triangles back to back enclose nothing: both go. But where most are, the surface is a sheet drawn from
+/// both sides, and keeps one.
 int dropRepeats(std::vector<Vector3i>& triangles) {
   const auto before = triangles.size();
   std::erase_if(triangles, repeatsPoint);
-  const std::vector<bool> isDuplicate = duplicates(triangles);
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (!isDuplicate[t]) triangles[kept++] = Vector3i(triangles[t]);
+  const auto [repeated, opposite] = twins(triangles);
+  const auto paired = std::ranges::count_if(opposite, [](int other) { return other >= 0; });
+  const bool isTwoSided = 2 * paired > std::ssize(triangles);
+  int kept = 0;
+  for (int t = 0; t < std::ssize(triangles); ++t) {
+    const bool staysOfPair = isTwoSided && t < opposite[t];
+    if (!repeated[t] && (opposite[t] < 0 || staysOfPair)) triangles[kept++] = Vector3i(triangles[t]);
+  }
   triangles.resize(kept);
-  return static_cast<int>(before - kept);
+  return static_cast<int>(before) - kept;
 }
 
 }  // namespace
@@ -71,8 +77,8 @@ RepairReport repair(TriangleMesh& mesh, const RepairOptions& options) {
   report.overlappingTriangles = dropOverlaps(mesh.triangles);
   if (report.overlappingTriangles > 0) report.splitPoints += splitFans(mesh);
   report.filledHoles = fillHoles(mesh, options.maxHoleEdges);
-  if (options.orient) report.turnedParts = faceOutwards(mesh.points, mesh.triangles);
   report.removedPoints = removeUnreferencedPoints(mesh);
+  if (options.orient) report.turnedParts = faceOutwards(mesh.points, mesh.triangles);
   return report;
 }
 

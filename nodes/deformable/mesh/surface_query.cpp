@@ -1,12 +1,13 @@
-#include <pleura/nodes/deformable/mesh/measures.h>
-#include <pleura/nodes/deformable/mesh/surface_query.h>
-#include <pleura/nodes/deformable/mesh/triangle_geometry.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include <Eigen/Geometry>
+
+#include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/surface_query.h>
+#include <pleura/nodes/deformable/mesh/triangle_geometry.h>
 
 namespace pleura {
 

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/bounding_volume_tree.h>
-#include <pleura/nodes/deformable/mesh/topology.h>
-
-#include <Eigen/Core>
 #include <limits>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
+
+#include <pleura/nodes/deformable/mesh/bounding_volume_tree.h>
+#include <pleura/nodes/deformable/mesh/topology.h>
 
 namespace pleura {
 

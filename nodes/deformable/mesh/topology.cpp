@@ -1,8 +1,8 @@
-#include <pleura/nodes/deformable/mesh/topology.h>
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+
+#include <pleura/nodes/deformable/mesh/topology.h>
 
 namespace pleura {
 

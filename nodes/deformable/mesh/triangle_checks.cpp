@@ -1,11 +1,29 @@
+#include <algorithm>
+#include <tuple>
+
+#include <Eigen/Geometry>
+
 #include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/mesh/triangle_checks.h>
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <numeric>
-
 namespace pleura {
+
+namespace {
+
+/// From its smallest point on, a triangle goes to the middle and then to the largest.
+bool runsUpwards(const Eigen::Vector3i& triangle) {
+  int least = 0;
+  triangle.minCoeff(&least);
+  return triangle[(least + 1) % 3] < triangle[(least + 2) % 3];
+}
+
+using Key = std::tuple<int, int, int, bool, int>;  // points ascending, sense, triangle
+
+std::tuple<int, int, int> pointsOf(const Key& key) {
+  return {std::get<0>(key), std::get<1>(key), std::get<2>(key)};
+}
+
+}  // namespace
 
 bool isInRange(const Eigen::Vector3i& triangle, std::size_t pointCount) {
   return std::all_of(triangle.begin(), triangle.end(), [pointCount](int index) {
@@ -29,18 +47,29 @@ bool isFlat(const Eigen::Vector3i& triangle, std::span<const Eigen::Vector3f> po
   return ab.cross(ac).squaredNorm() <= 1e-12 * ab.squaredNorm() * ac.squaredNorm();
 }
 
-std::vector<bool> duplicates(std::span<const Eigen::Vector3i> triangles) {
-  std::vector<Eigen::Vector3i> sorted(triangles.begin(), triangles.end());
-  for (Eigen::Vector3i& triangle : sorted) std::sort(triangle.begin(), triangle.end());
-  const auto less = [&sorted](int s, int t) {
-    return std::lexicographical_compare(sorted[s].begin(), sorted[s].end(), sorted[t].begin(),
-                                        sorted[t].end());
-  };
-  std::vector<int> order(triangles.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), less);
-  std::vector<bool> result(triangles.size(), false);
-  for (std::size_t i = 1; i < order.size(); ++i) result[order[i]] = sorted[order[i]] == sorted[order[i - 1]];
+Twins twins(std::span<const Eigen::Vector3i> triangles) {
+  std::vector<Key> keys;
+  for (int t = 0; t < std::ssize(triangles); ++t) {
+    Eigen::Vector3i points = triangles[t];
+    std::sort(points.begin(), points.end());
+    keys.emplace_back(points[0], points[1], points[2], runsUpwards(triangles[t]), t);
+  }
+  std::sort(keys.begin(), keys.end());
+  Twins result{std::vector<bool>(triangles.size(), false), std::vector<int>(triangles.size(), -1)};
+  int firstOfSense = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const auto [a, b, c, sense, t] = keys[i];
+    const bool samePoints = i > 0 && std::tuple(a, b, c) == pointsOf(keys[i - 1]);
+    if (samePoints && sense == std::get<3>(keys[i - 1])) {
+      result.repeated[t] = true;
+      continue;
+    }
+    if (samePoints) {
+      result.opposite[firstOfSense] = t;
+      result.opposite[t] = firstOfSense;
+    }
+    firstOfSense = t;
+  }
   return result;
 }
 

@@ -1,9 +1,10 @@
-#include <pleura/nodes/deformable/mesh/triangle_geometry.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <utility>
+
+#include <Eigen/Geometry>
+
+#include <pleura/nodes/deformable/mesh/triangle_geometry.h>
 
 namespace pleura {
 

@@ -1,12 +1,12 @@
-#include <pleura/nodes/deformable/mesh/measures.h>
-#include <pleura/nodes/deformable/mesh/weld.h>
-
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <unordered_map>
+
+#include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/weld.h>
 
 namespace pleura {
 

@@ -14,4 +14,12 @@ void BooleanFilter::declare(NodeType& type) {
   type.field<&BooleanFilter::inputTrue>("inputTrue", outputOnly, false).means("sent for every true");
 }
 
+void BooleanFilter::onInitialize() { onEvent_.hears(*this, set_boolean); }
+
+void BooleanFilter::hear() {
+  const bool value = set_boolean.getValue(id);
+  (value ? inputTrue : inputFalse).setValue(value, id);
+  inputNegate.setValue(!value, id);
+}
+
 }  // namespace pleura

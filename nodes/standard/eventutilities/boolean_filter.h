@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pleura/nodes/core/event_handler.h>
 #include <pleura/nodes/standard/core/x3d_child_node.h>
 
 namespace pleura {
@@ -13,6 +14,13 @@ class BooleanFilter : public X3DChildNode {
   SFBool inputTrue;
 
   static void declare(NodeType& type);
+
+ protected:
+  void onInitialize() override;
+
+ private:
+  void hear();
+  EventHandler onEvent_{[this] { hear(); }};
 };
 
 }  // namespace pleura

@@ -11,4 +11,10 @@ void BooleanToggle::declare(NodeType& type) {
   type.field<&BooleanToggle::set_boolean>("set_boolean", inputOnly, false).means("the event to react to");
 }
 
+void BooleanToggle::onInitialize() { onEvent_.hears(*this, set_boolean); }
+
+void BooleanToggle::hear() {
+  if (set_boolean.getValue(id)) toggle.setValue(!toggle.getValue());
+}
+
 }  // namespace pleura

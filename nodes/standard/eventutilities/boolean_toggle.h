@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pleura/nodes/core/event_handler.h>
 #include <pleura/nodes/standard/core/x3d_child_node.h>
 
 namespace pleura {
@@ -11,6 +12,13 @@ class BooleanToggle : public X3DChildNode {
   SFBool set_boolean;
 
   static void declare(NodeType& type);
+
+ protected:
+  void onInitialize() override;
+
+ private:
+  void hear();
+  EventHandler onEvent_{[this] { hear(); }};
 };
 
 }  // namespace pleura

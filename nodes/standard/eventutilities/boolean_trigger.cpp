@@ -13,4 +13,8 @@ void BooleanTrigger::declare(NodeType& type) {
   type.field<&BooleanTrigger::triggerTrue>("triggerTrue", outputOnly, false).means("true for every event");
 }
 
+void BooleanTrigger::onInitialize() { onEvent_.hears(*this, set_triggerTime); }
+
+void BooleanTrigger::hear() { triggerTrue.setValue(true, id); }
+
 }  // namespace pleura

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pleura/nodes/core/event_handler.h>
 #include <pleura/nodes/standard/eventutilities/x3d_trigger_node.h>
 
 namespace pleura {
@@ -11,6 +12,13 @@ class BooleanTrigger : public X3DTriggerNode {
   SFBool triggerTrue;
 
   static void declare(NodeType& type);
+
+ protected:
+  void onInitialize() override;
+
+ private:
+  void hear();
+  EventHandler onEvent_{[this] { hear(); }};
 };
 
 }  // namespace pleura

@@ -11,6 +11,10 @@ class IntegerSequencer : public X3DSequencerNode {
   SFInt32 value_changed;
 
   static void declare(NodeType& type);
+
+ protected:
+  std::size_t valueCount() override { return keyValue.size(); }
+  void send(std::size_t number) override { value_changed.setValue(keyValue.getValueByIndex(number), id); }
 };
 
 }  // namespace pleura

@@ -13,4 +13,10 @@ void IntegerTrigger::declare(NodeType& type) {
       .means("integerKey, for every true");
 }
 
+void IntegerTrigger::onInitialize() { onEvent_.hears(*this, set_boolean); }
+
+void IntegerTrigger::hear() {
+  if (set_boolean.getValue(id)) triggerValue.setValue(integerKey.getValue(), id);
+}
+
 }  // namespace pleura

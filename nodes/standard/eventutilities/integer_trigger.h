@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pleura/nodes/core/event_handler.h>
 #include <pleura/nodes/standard/eventutilities/x3d_trigger_node.h>
 
 namespace pleura {
@@ -12,6 +13,13 @@ class IntegerTrigger : public X3DTriggerNode {
   SFInt32 triggerValue;
 
   static void declare(NodeType& type);
+
+ protected:
+  void onInitialize() override;
+
+ private:
+  void hear();
+  EventHandler onEvent_{[this] { hear(); }};
 };
 
 }  // namespace pleura

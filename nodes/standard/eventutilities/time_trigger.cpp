@@ -1,4 +1,5 @@
 #include <pleura/nodes/core/node_type.h>
+#include <pleura/nodes/core/scene_context.h>
 #include <pleura/nodes/standard/eventutilities/time_trigger.h>
 
 namespace pleura {
@@ -12,5 +13,9 @@ void TimeTrigger::declare(NodeType& type) {
       .measuredIn(Unit::time)
       .means("when an event came");
 }
+
+void TimeTrigger::onInitialize() { onEvent_.hears(*this, set_boolean); }
+
+void TimeTrigger::hear() { triggerTime.setValue(context().time.getValue(), id); }
 
 }  // namespace pleura

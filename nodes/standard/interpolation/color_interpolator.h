@@ -1,15 +1,13 @@
 #pragma once
 
-#include <pleura/nodes/standard/interpolation/x3d_interpolator_node.h>
+#include <pleura/nodes/standard/interpolation/key_frame_interpolator.h>
+#include <pleura/nodes/standard/interpolation/mixes.h>
 
 namespace pleura {
 
 /// Colours between keys, in hue, saturation and value.
-class ColorInterpolator : public X3DInterpolatorNode {
+class ColorInterpolator : public KeyFrameInterpolator<MFColor, SFColor, ColorMix> {
  public:
-  MFColor keyValue;
-  SFColor value_changed;
-
   static void declare(NodeType& type);
 };
 

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/standard/interpolation/x3d_interpolator_node.h>
+#include <pleura/nodes/standard/interpolation/key_frame_interpolator.h>
 
 namespace pleura {
 
 /// Lists of points between keys.
-class CoordinateInterpolator : public X3DInterpolatorNode {
+class CoordinateInterpolator : public KeyFrameInterpolator<MFVec3f, MFVec3f, LinearMix> {
  public:
-  MFVec3f keyValue;
-  MFVec3f value_changed;
-
   static void declare(NodeType& type);
 };
 

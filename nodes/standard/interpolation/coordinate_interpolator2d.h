@@ -1,15 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/standard/interpolation/x3d_interpolator_node.h>
+#include <pleura/nodes/standard/interpolation/key_frame_interpolator.h>
 
 namespace pleura {
 
 /// Lists of points in a plane between keys.
-class CoordinateInterpolator2D : public X3DInterpolatorNode {
+class CoordinateInterpolator2D : public KeyFrameInterpolator<MFVec2f, MFVec2f, LinearMix> {
  public:
-  MFVec2f keyValue;
-  MFVec2f value_changed;
-
   static void declare(NodeType& type);
 };
 

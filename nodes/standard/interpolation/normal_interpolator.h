@@ -1,15 +1,13 @@
 #pragma once
 
-#include <pleura/nodes/standard/interpolation/x3d_interpolator_node.h>
+#include <pleura/nodes/standard/interpolation/key_frame_interpolator.h>
+#include <pleura/nodes/standard/interpolation/mixes.h>
 
 namespace pleura {
 
 /// Lists of normals between keys, on the unit sphere.
-class NormalInterpolator : public X3DInterpolatorNode {
+class NormalInterpolator : public KeyFrameInterpolator<MFVec3f, MFVec3f, NormalMix> {
  public:
-  MFVec3f keyValue;
-  MFVec3f value_changed;
-
   static void declare(NodeType& type);
 };
 

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <pleura/nodes/standard/interpolation/x3d_interpolator_node.h>
+#include <pleura/nodes/standard/interpolation/key_frame_interpolator.h>
+#include <pleura/nodes/standard/interpolation/mixes.h>
 
 namespace pleura {
 
 /// Turns from key to key, the shorter way round.
-class OrientationInterpolator : public X3DInterpolatorNode {
+class OrientationInterpolator : public KeyFrameInterpolator<MFRotation, SFRotation, RotationMix> {
  public:
-  MFRotation keyValue;
-  SFRotation value_changed;
-
   static void declare(NodeType& type);
 };
 

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/standard/interpolation/x3d_interpolator_node.h>
+#include <pleura/nodes/standard/interpolation/key_frame_interpolator.h>
 
 namespace pleura {
 
 /// Positions along a polyline of keys.
-class PositionInterpolator : public X3DInterpolatorNode {
+class PositionInterpolator : public KeyFrameInterpolator<MFVec3f, SFVec3f, LinearMix> {
  public:
-  MFVec3f keyValue;
-  SFVec3f value_changed;
-
   static void declare(NodeType& type);
 };
 

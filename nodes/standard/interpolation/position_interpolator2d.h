@@ -1,15 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/standard/interpolation/x3d_interpolator_node.h>
+#include <pleura/nodes/standard/interpolation/key_frame_interpolator.h>
 
 namespace pleura {
 
 /// Positions in a plane along a polyline of keys.
-class PositionInterpolator2D : public X3DInterpolatorNode {
+class PositionInterpolator2D : public KeyFrameInterpolator<MFVec2f, SFVec2f, LinearMix> {
  public:
-  MFVec2f keyValue;
-  SFVec2f value_changed;
-
   static void declare(NodeType& type);
 };
 

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <pleura/nodes/standard/interpolation/x3d_interpolator_node.h>
+#include <pleura/nodes/standard/interpolation/key_frame_interpolator.h>
 
 namespace pleura {
 
 /// Numbers along a polyline of keys.
-class ScalarInterpolator : public X3DInterpolatorNode {
+class ScalarInterpolator : public KeyFrameInterpolator<MFFloat, SFFloat, LinearMix> {
  public:
-  MFFloat keyValue;
-  SFFloat value_changed;
-
   static void declare(NodeType& type);
 };
 

@@ -18,4 +18,20 @@ void KeySensor::declare(NodeType& type) {
   type.field<&KeySensor::shiftKey>("shiftKey", outputOnly, false).means("whether Shift is down");
 }
 
+void KeySensor::hear(const KeyEvent& event) {
+  isActive.setValueIfChanged(event.pressed, id);
+  switch (event.kind) {
+    case KeyEvent::Kind::character:
+      return (event.pressed ? keyPress : keyRelease).setValue(event.character, id);
+    case KeyEvent::Kind::action:
+      return (event.pressed ? actionKeyPress : actionKeyRelease).setValue(event.action, id);
+    case KeyEvent::Kind::shift:
+      return shiftKey.setValue(event.pressed, id);
+    case KeyEvent::Kind::control:
+      return controlKey.setValue(event.pressed, id);
+    case KeyEvent::Kind::alt:
+      return altKey.setValue(event.pressed, id);
+  }
+}
+
 }  // namespace pleura

@@ -16,6 +16,9 @@ class KeySensor : public X3DKeyDeviceSensorNode {
   SFBool shiftKey;
 
   static void declare(NodeType& type);
+
+ protected:
+  void hear(const KeyEvent& event) override;
 };
 
 }  // namespace pleura

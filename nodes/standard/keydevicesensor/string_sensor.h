@@ -4,7 +4,7 @@
 
 namespace pleura {
 
-/// Text as it is typed.
+/// Text as it is typed: Enter ends it, Backspace takes the last character back.
 class StringSensor : public X3DKeyDeviceSensorNode {
  public:
   SFBool deletionAllowed;
@@ -12,6 +12,12 @@ class StringSensor : public X3DKeyDeviceSensorNode {
   SFString finalText;
 
   static void declare(NodeType& type);
+
+ protected:
+  void hear(const KeyEvent& event) override;
+
+ private:
+  std::string text_;
 };
 
 }  // namespace pleura

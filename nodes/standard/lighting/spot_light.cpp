@@ -12,11 +12,11 @@ void SpotLight::declare(NodeType& type) {
       .means("factors of 1, distance and its square in the loss");
   type.field<&SpotLight::beamWidth>("beamWidth", inputOutput, 0.589049f)
       .measuredIn(Unit::angle)
-      .positive(1.570796)
+      .positive(1.5708)
       .means("angle from the axis up to which the light is full");
   type.field<&SpotLight::cutOffAngle>("cutOffAngle", inputOutput, 1.570796f)
       .measuredIn(Unit::angle)
-      .positive(1.570796)
+      .positive(1.5708)
       .means("angle from the axis beyond which nothing is lit");
   type.field<&SpotLight::direction>("direction", inputOutput, Vec3f(0, 0, -1)).means("where the light goes");
   type.field<&SpotLight::global>("global", inputOutput, true)

@@ -8,7 +8,7 @@
 
 namespace pleura {
 
-/// FIXME.
+/// A geometry and its looks at a place of the scene.
 class X3DShapeNode : public X3DChildNode, public X3DBoundedObject {
  public:
   TypedSFNode<X3DAppearanceNode> appearance;

@@ -57,8 +57,9 @@ DiaphragmMotion::DiaphragmMotion(const Diaphragm& diaphragm, const Sides& sides,
   fill_ = HarmonicFill(diaphragm.mesh, driven_);
 }
 
-void DiaphragmMotion::move(const Sides& sides, const WallsNow& walls, double contraction,
+void DiaphragmMotion::move(const Sides& sides, const WallsNow& walls, double inflation,
                            std::span<Eigen::Vector3f> points) {
+  const double contraction = diaphragmContraction(inflation);
   const BodyDisplacement tendon = displacementOf(tendonMotion(dome_, tendonCentre_, contraction));
   for (const int i : tendon_) {
     displacement_[static_cast<std::size_t>(i)] = tendon * rest_[static_cast<std::size_t>(i)].homogeneous();

@@ -21,9 +21,8 @@ class DiaphragmMotion {
   /// Throws std::invalid_argument when no point is tagged as tendon or the tags are not one a point.
   DiaphragmMotion(const Diaphragm& diaphragm, const Sides& sides, const DomeMotion& dome);
 
-  /// Positions [m] at a contraction of the diaphragm, one a point of the mesh. Does not allocate; one call at
-  /// a time.
-  void move(const Sides& sides, const WallsNow& walls, double contraction, std::span<Eigen::Vector3f> points);
+  /// Positions [m] at an inflation, one a point of the mesh. Does not allocate; one call at a time.
+  void move(const Sides& sides, const WallsNow& walls, double inflation, std::span<Eigen::Vector3f> points);
 
   /// The points that something drives, ascending.
   const std::vector<int>& driven() const { return driven_; }

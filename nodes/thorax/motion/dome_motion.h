@@ -13,9 +13,9 @@ double diaphragmContraction(double inflation);
 /// front.
 struct DomeMotion {
   double descent = 0.080;   // [m] of the tendon's centre
-  double forward = 0.010;   // [m] of the tendon's centre
+  double forward = 0.020;   // [m] of the tendon's centre
   double tilt = 0.15;       // [rad] about the left-right axis
-  double foldDrop = 0.075;  // [m] of the fold along the wall, where the zone of apposition is long enough
+  double foldDrop = 0.080;  // [m] of the fold along the wall, where the zone of apposition is long enough
 };
 
 /// Rigid motion of the tendon whose centre at rest is `centre`. Throws std::invalid_argument when the

@@ -77,9 +77,10 @@ HemithoraxEnds hemithoraxEnds(const Anatomy& anatomy, Side side) {
     if (p.x() * sign(side) > 0.0f && anatomy.diaphragm.part[i] == DiaphragmPart::Rim) low.add(p);
   }
   if (low.count == 0) throw std::invalid_argument("hemithoraxEnds: the diaphragm has no rim on a side");
-  const HemithoraxAxis axis = hemithoraxAxis(low.value(), high.value(), sign(side));
-  const double apex = axis.coordinates(lungOf(anatomy, side).apex.cast<double>()).height;
-  return {low.value(), high.value(), apex + kCupolaAboveApex};
+  const Eigen::Vector3d apex = lungOf(anatomy, side).apex.cast<double>();
+  const Eigen::Vector3d top = 0.5 * (high.value() + apex);
+  const double height = hemithoraxAxis(low.value(), top, sign(side)).coordinates(apex).height;
+  return {low.value(), top, height + kCupolaAboveApex};
 }
 
 WallSlide slideOf(const PleuralWall& wall, const Diaphragm& diaphragm, Side side, double foldDrop) {

@@ -17,8 +17,9 @@ struct Hemithorax {
   WallSlide slide;
 };
 
-/// The long axis of a side, from the middle of its rim of the diaphragm up to the middle of the ring of rib
-/// 1, and the height above its middle, along it, where the wall closes over the lung. All [m].
+/// The long axis of a side, from the middle of its rim of the diaphragm up to half-way between the middle of
+/// rib 1's ring and the lung's apex, and the height above its middle where the wall closes over the lung,
+/// [m].
 struct HemithoraxEnds {
   Eigen::Vector3d low;
   Eigen::Vector3d high;

@@ -1,4 +1,5 @@
 #include <pleura/nodes/deformable/mesh/surface_query.h>
+#include <pleura/nodes/thorax/motion/dome_motion.h>
 #include <pleura/nodes/thorax/motion/lung_motion.h>
 
 namespace pleura {
@@ -24,7 +25,8 @@ LungMotion::LungMotion(const Lung& lung, const Hemithorax& half, const TriangleM
     const int index = static_cast<int>(i);
     const Eigen::Vector3d p = rest_[i].cast<double>();
     const WallPoint place = bindToWall(half.wall, half.slide, p);
-    const bool nearWall = place.bound && place.distance < kNear;
+    const bool onWall = place.bound && !(place.onSpine && lung.part[i] == LungPart::Mediastinal);
+    const bool nearWall = onWall && place.distance < kNear;
     const auto below = query.closestPointWithin(p, nearWall ? place.distance : kNear);
     if (below) {
       DiaphragmFollower follower{index,
@@ -42,9 +44,9 @@ LungMotion::LungMotion(const Lung& lung, const Hemithorax& half, const TriangleM
 }
 
 void LungMotion::move(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-                      std::span<const Eigen::Vector3f> diaphragmNow, double contraction,
+                      std::span<const Eigen::Vector3f> diaphragmNow, double inflation,
                       std::span<Eigen::Vector3f> points) {
-  displaceFollowers(half, wallNow, onWall_, contraction, displacement_);
+  displaceFollowers(half, wallNow, onWall_, diaphragmContraction(inflation), displacement_);
   for (const DiaphragmFollower& f : onDiaphragm_) {
     displacement_[static_cast<std::size_t>(f.index)].head<3>() = footOf(f, diaphragmNow) - f.foot;
   }

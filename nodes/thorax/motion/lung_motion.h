@@ -16,10 +16,10 @@ class LungMotion {
  public:
   LungMotion(const Lung& lung, const Hemithorax& half, const TriangleMesh& diaphragm);
 
-  /// Positions [m] at a contraction of the diaphragm, given the moved wall and diaphragm. Does not allocate;
-  /// one call at a time.
+  /// Positions [m] at an inflation, given the moved wall and diaphragm. Does not allocate; one call at a
+  /// time.
   void move(const Hemithorax& half, std::span<const Eigen::Vector4f> wallNow,
-            std::span<const Eigen::Vector3f> diaphragmNow, double contraction,
+            std::span<const Eigen::Vector3f> diaphragmNow, double inflation,
             std::span<Eigen::Vector3f> points);
 
   /// The points that something drives, ascending.

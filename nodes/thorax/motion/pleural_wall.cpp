@@ -156,7 +156,7 @@ Eigen::Vector3d HemithoraxAxis::radial(double azimuth) const {
 }
 
 HemithoraxAxis hemithoraxAxis(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double side) {
-  if (!low.allFinite() || !high.allFinite() || !((high - low).norm() > 0.0)) {
+  if (!low.array().isFinite().all() || !high.array().isFinite().all() || !((high - low).norm() > 0.0)) {
     throw std::invalid_argument("hemithoraxAxis: low and high must be finite and apart");
   }
   if (side != 1.0 && side != -1.0) throw std::invalid_argument("hemithoraxAxis: side must be +1 or -1");

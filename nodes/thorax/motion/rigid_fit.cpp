@@ -21,7 +21,8 @@ Eigen::Isometry3d fitRigid(std::span<const Eigen::Vector3d> from, std::span<cons
   }
   const Eigen::Vector3d a = mean(from);
   const Eigen::Vector3d b = mean(to);
-  if (!a.allFinite() || !b.allFinite()) throw std::invalid_argument("fitRigid: points must be finite");
+  if (!a.array().isFinite().all() || !b.array().isFinite().all())
+    throw std::invalid_argument("fitRigid: points must be finite");
 
   // C = sum (b_i - b)(a_i - a)^T = U S V^T; R = U diag(1, 1, det(U V^T)) V^T; t = b - R a
   Eigen::Matrix3d c = Eigen::Matrix3d::Zero();

@@ -20,10 +20,9 @@ void ThoraxMotion::evaluate(double inflation) {
   bodies_ = cage_.bodies(inflation);
   const BodyDisplacements displacements = displacementsOf(bodies_);
   for (std::size_t side = 0; side < 2; ++side) moveWall(sides_[side].wall, displacements, walls_[side]);
-  const double contraction = diaphragmContraction(inflation);
-  diaphragm_.move(sides_, {walls_[0], walls_[1]}, contraction, diaphragmPoints_);
+  diaphragm_.move(sides_, {walls_[0], walls_[1]}, inflation, diaphragmPoints_);
   for (std::size_t side = 0; side < 2; ++side) {
-    lungs_[side].move(sides_[side], walls_[side], diaphragmPoints_, contraction, lungPoints_[side]);
+    lungs_[side].move(sides_[side], walls_[side], diaphragmPoints_, inflation, lungPoints_[side]);
   }
 }
 

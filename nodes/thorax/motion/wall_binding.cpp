@@ -2,14 +2,18 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include <pleura/nodes/thorax/motion/wall_binding.h>
 
 namespace pleura {
 namespace {
 
-/// [m] What lay between two ribs, outside of the wall, must be inside by so much when it slides under a rib.
-constexpr float kClearance = 0.001f;
+// [m] Sliding brings what lay between two ribs under a rib and the reverse; on the way every gap goes towards
+// this band, closing by at most kMostClosed.
+constexpr float kLeastGap = 0.001f;
+constexpr float kEasyGap = 0.002f;
+constexpr float kMostClosed = 0.0015f;
 
 using Grid = std::span<const Eigen::Vector4f>;
 
@@ -38,6 +42,15 @@ struct WallPlace {
         fraction(columnFraction) {}
   Eigen::Vector4f of(Grid grid) const { return (1.0f - fraction) * a.of(grid) + fraction * b.of(grid); }
 };
+
+/// Whether bone that does not move has a share in carrying a point of the grid or the one below it.
+bool stays(const PleuralWall& wall, std::size_t above) {
+  const auto carried = [&](std::size_t k) {
+    const BodyWeights& w = wall.weights[k];
+    return std::accumulate(w.weight.begin(), w.weight.begin() + w.count, 0.0f);
+  };
+  return std::min(carried(above), carried(above + 1)) < 0.99f;
+}
 
 /// v of the place nearest to `point` along the profile at a fraction between two columns.
 double nearestV(const PleuralWall& wall, const WallSlide& slide, const WallPoint& at,
@@ -80,8 +93,8 @@ WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eige
   const Eigen::Vector3d offset = point - place.of(wall.rest).head<3>().cast<double>();
   at.distance = static_cast<float>(offset.norm());
   at.gap = static_cast<float>(offset.dot(place.of(wall.inward).head<3>().cast<double>()));
-  at.onSpine = wall.weights[place.a.above].count == 0 && wall.weights[place.b.above].count == 0;
-  at.lift = std::max(0.0f, kClearance - at.gap);
+  at.onSpine = stays(wall, place.a.above) || stays(wall, place.b.above);
+  at.lift = std::max(std::clamp(at.gap, kLeastGap, kEasyGap) - at.gap, -kMostClosed);
   at.rest = followWall(wall, wall.rest, slide, at, 0.0);
   return at;
 }

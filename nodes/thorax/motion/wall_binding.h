@@ -19,7 +19,7 @@ struct WallPoint {
   float lift = 0.0f;      // [m] added to the gap at contraction 1
   float distance = 0.0f;  // [m] of the asked point from the wall
   bool bound = false;     // false where the cage is open (mediastinum)
-  bool onSpine = false;   // the wall there doesn't move
+  bool onSpine = false;   // bone that doesn't move carries the wall there
 };
 
 /// The place of `point` [m]: the nearest one of the wall in its half-plane, and the gap from there.

@@ -9,7 +9,7 @@ namespace pleura {
 namespace {
 
 constexpr double kNearWall = 0.015;      // [m] points of a ring farther from the wall are not on it
-constexpr double kZoneKept = 0.25;       // of the zone of apposition, at inflation 1
+constexpr double kZoneKept = 0.3;        // of the zone of apposition, at inflation 1
 constexpr double kShortestZone = 0.004;  // [m]
 constexpr int kSmoothings = 4;
 constexpr std::size_t n = PleuralWall::kColumns;

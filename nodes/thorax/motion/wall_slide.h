@@ -29,8 +29,8 @@ struct WallSlide {
 };
 
 /// Fold and rim on a wall from points [m] of the diaphragm's edge of the dome and of its rim; columns that no
-/// point meets take their neighbours' rows. The fold drops by `drop` [m] but leaves a quarter of the zone of
-/// apposition. Throws std::invalid_argument when no point lies near the wall or the drop is not finite.
+/// point meets take their neighbours' rows. The fold drops by `drop` [m] but leaves three tenths of the zone
+/// of apposition. Throws std::invalid_argument when no point lies near the wall or the drop is not finite.
 WallSlide slideOnWall(const PleuralWall& wall, std::span<const Eigen::Vector3d> fold,
                       std::span<const Eigen::Vector3d> rim, double drop);
 

@@ -5,10 +5,12 @@
 
 #include <pleura/nodes/core/plugin.h>
 #include <pleura/nodes/standard/register.h>
+#include <pleura/nodes/thorax/anatomy/from_meshes.h>
 #include <pleura/x3d/browser/anatomy/thorax_files.h>
 #include <pleura/x3d/browser/commands/commands.h>
 #include <pleura/x3d/browser/commands/progress.h>
 #include <pleura/x3d/encoding/source_text.h>
+#include <pleura/x3d/import/mesh_import.h>
 
 namespace pleura {
 
@@ -18,6 +20,17 @@ struct Options {
   std::filesystem::path output;
   std::filesystem::path from;
 };
+
+/// All parts of a mesh file as one.
+TriangleMesh meshOfFile(const std::filesystem::path& file) {
+  TriangleMesh all;
+  for (const auto& part : importMesh(file).parts) {
+    const int first = static_cast<int>(all.points.size());
+    all.points.insert(all.points.end(), part.mesh.points.begin(), part.mesh.points.end());
+    for (const auto& triangle : part.mesh.triangles) all.triangles.emplace_back(triangle.array() + first);
+  }
+  return all;
+}
 
 void write(const std::filesystem::path& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
@@ -33,8 +46,7 @@ void makeAnatomy(const Options& options) {
   if (isReal && !std::filesystem::is_directory(options.from))
     throw FileError(options.from.string() + ": no such folder");
   std::filesystem::create_directories(options.output);
-  if (isReal) throw UsageError("--from is not there yet");
-  const Anatomy anatomy = generateAnatomy();
+  const Anatomy anatomy = isReal ? anatomyFromMeshes(options.from, meshOfFile) : generateAnatomy();
   const std::string source =
       isReal ? "meshes of " + options.from.filename().string()
              : "measured on BodyParts3D, (c) The Database Center for Life Science, CC BY 4.0";

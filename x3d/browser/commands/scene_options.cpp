@@ -36,15 +36,20 @@ std::unique_ptr<Scene> SceneOptions::load() const {
   if (!anatomy.empty() && !std::filesystem::is_directory(anatomy))
     throw UsageError(anatomy.string() + " is no folder");
   scene->load(file, limits);
-  for (const auto& diagnostic : scene->diagnostics().all()) fmt::print(stderr, "{}\n", toText(diagnostic));
-  if (scene->diagnostics().unlisted() > 0)
-    fmt::print(stderr, "and {} more\n", scene->diagnostics().unlisted());
+  tellDiagnostics(*scene);
   if (scene->document().nodes.empty() && scene->diagnostics().errors() > 0)
     throw Fault(file.string() + ": nothing to show");
   return scene;
 }
 
+void SceneOptions::tellDiagnostics(const Scene& scene) const {
+  const auto& found = scene.diagnostics();
+  for (; told_ < found.all().size(); ++told_) fmt::print(stderr, "{}\n", toText(found.all()[told_]));
+  if (found.unlisted() > 0) fmt::print(stderr, "and {} more\n", found.unlisted());
+}
+
 void SceneOptions::report(Scene& scene, const Playback& done) const {
+  tellDiagnostics(scene);
   if (stats) fmt::print("{}\n", done.statistics().toJson());
   if (hash) fmt::print("{:016x}\n", stateHash(scene));
 }

@@ -27,8 +27,12 @@ struct SceneOptions {
 
   /// Loads the file and prints every diagnostic to stderr. Throws Fault when the scene has errors.
   std::unique_ptr<Scene> load() const;
-  /// Prints what --stats and --hash ask for.
+  /// Prints what was found while the scene ran, and what --stats and --hash ask for.
   void report(Scene& scene, const Playback& playback) const;
+
+ private:
+  void tellDiagnostics(const Scene& scene) const;
+  mutable std::size_t told_ = 0;
 };
 
 }  // namespace pleura

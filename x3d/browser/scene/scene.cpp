@@ -71,7 +71,8 @@ void Scene::set(std::string_view assignment) {
 }
 
 void Scene::warn(const Node& node, const std::string& message) {
-  diagnostics_.warn({file_}, node.describe() + ": " + message);
+  std::string text = node.describe() + ": " + message;
+  if (warned_.insert(text).second) diagnostics_.warn({file_}, std::move(text));
 }
 
 }  // namespace pleura

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -50,6 +51,7 @@ class Scene : public SceneContext {
   NodeRegistry registry_;
   PluginLoader plugins_;
   std::string file_;
+  std::set<std::string> warned_;  // a warning that comes every tick is told once
   Document document_;  // last: its nodes may use all the others when they go
 };
 

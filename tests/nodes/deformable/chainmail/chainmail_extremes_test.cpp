@@ -1,10 +1,9 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
 #include <numbers>
 
 #include "organ.h"
+#include <gtest/gtest.h>
 
 namespace pleura {
 namespace {
@@ -172,6 +171,22 @@ TEST(ChainmailExtremes, AHundredMetresAwayNothingChanges) {
   EXPECT_EQ(here.pull(driven, targets, moved).violatedLinks, 0);
   for (std::size_t i = 0; i < straight.size(); ++i)
     EXPECT_LE((here.positions[i] - away - straight[i]).cwiseAbs().maxCoeff(), 4 * step);
+}
+
+TEST(ChainmailExtremes, TurningAHundredMetresAwayCostsOneStepOfFloat) {
+  const Eigen::Vector3f away(100, -100, 100);
+  TriangleMesh mesh = icosphere(3, kRadius);
+  for (Eigen::Vector3f& p : mesh.points) p += away;
+  Organ organ(mesh);
+  const Eigen::Translation3d centre(away.cast<double>());
+  ChainmailOptions turned;
+  turned.frame = centre * Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()) * centre.inverse();
+  organ.pull({}, {}, turned);
+  const float step = std::nextafter(100.0f, 200.0f) - 100.0f;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const Eigen::Vector3d exact = turned.frame * mesh.points[i].cast<double>();
+    EXPECT_LE((organ.positions[i].cast<double>() - exact).cwiseAbs().maxCoeff(), 1.01 * step);
+  }
 }
 
 TEST(ChainmailExtremes, NumbersNearTheEndOfFloatStayFinite) {

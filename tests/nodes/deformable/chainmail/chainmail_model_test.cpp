@@ -1,10 +1,10 @@
-#include <gtest/gtest.h>
-#include <pleura/nodes/deformable/chainmail/chainmail_model.h>
-
 #include <limits>
 #include <stdexcept>
 
 #include "organ.h"
+#include <gtest/gtest.h>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_model.h>
 
 namespace pleura {
 namespace {

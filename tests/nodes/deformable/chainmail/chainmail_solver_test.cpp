@@ -1,6 +1,3 @@
-#include <gtest/gtest.h>
-#include <pleura/nodes/deformable/chainmail/chainmail_solver.h>
-
 #include <cstring>
 #include <limits>
 #include <numbers>
@@ -8,6 +5,9 @@
 #include <stdexcept>
 
 #include "organ.h"
+#include <gtest/gtest.h>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_solver.h>
 
 namespace pleura {
 namespace {

@@ -1,12 +1,12 @@
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <pleura/nodes/deformable/chainmail/chainmail_order.h>
-#include <pleura/nodes/deformable/chainmail/chainmail_topology.h>
-
 #include <limits>
 #include <stdexcept>
 
 #include "organ.h"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <pleura/nodes/deformable/chainmail/chainmail_order.h>
+#include <pleura/nodes/deformable/chainmail/chainmail_topology.h>
 
 namespace pleura {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-
 #include <map>
 #include <utility>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <pleura/nodes/deformable/chainmail/chainmail_solver.h>
-
 #include <algorithm>
 #include <random>
 #include <set>
@@ -9,6 +7,8 @@
 #include <vector>
 
 #include "icosphere.h"
+
+#include <pleura/nodes/deformable/chainmail/chainmail_solver.h>
 
 namespace pleura {
 

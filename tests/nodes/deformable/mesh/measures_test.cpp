@@ -1,10 +1,10 @@
-#include <gtest/gtest.h>
-#include <pleura/nodes/deformable/mesh/measures.h>
-
 #include <limits>
 #include <vector>
 
 #include "shapes.h"
+#include <gtest/gtest.h>
+
+#include <pleura/nodes/deformable/mesh/measures.h>
 
 namespace pleura {
 namespace {

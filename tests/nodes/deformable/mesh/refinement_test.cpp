@@ -1,13 +1,13 @@
-#include <gtest/gtest.h>
-#include <pleura/nodes/deformable/mesh/measures.h>
-#include <pleura/nodes/deformable/mesh/mesh_report.h>
-#include <pleura/nodes/deformable/mesh/refinement.h>
-#include <pleura/nodes/deformable/mesh/surface_query.h>
-
 #include <limits>
 #include <stdexcept>
 
 #include "shapes.h"
+#include <gtest/gtest.h>
+
+#include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/mesh_report.h>
+#include <pleura/nodes/deformable/mesh/refinement.h>
+#include <pleura/nodes/deformable/mesh/surface_query.h>
 
 namespace pleura {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
-
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura::shapes {
 

@@ -1,13 +1,13 @@
-#include <gtest/gtest.h>
-#include <pleura/nodes/deformable/mesh/measures.h>
-#include <pleura/nodes/deformable/mesh/surface_query.h>
-#include <pleura/nodes/deformable/mesh/triangle_geometry.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "shapes.h"
+#include <gtest/gtest.h>
+
+#include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/surface_query.h>
+#include <pleura/nodes/deformable/mesh/triangle_geometry.h>
 
 namespace pleura {
 namespace {

@@ -1,10 +1,10 @@
-#include <gtest/gtest.h>
-#include <pleura/nodes/deformable/mesh/topology.h>
-
 #include <algorithm>
 #include <stdexcept>
 
 #include "shapes.h"
+#include <gtest/gtest.h>
+
+#include <pleura/nodes/deformable/mesh/topology.h>
 
 namespace pleura {
 namespace {

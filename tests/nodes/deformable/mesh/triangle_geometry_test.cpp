@@ -1,7 +1,7 @@
-#include <gtest/gtest.h>
-#include <pleura/nodes/deformable/mesh/triangle_geometry.h>
-
 #include "shapes.h"
+#include <gtest/gtest.h>
+
+#include <pleura/nodes/deformable/mesh/triangle_geometry.h>
 
 namespace pleura {
 namespace {
