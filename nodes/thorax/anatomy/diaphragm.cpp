@@ -22,6 +22,7 @@ constexpr int kRows = DiaphragmShape::kKnots;  // knots s > 0, and the skirt's e
 constexpr double kSpacing = 0.0082;            // [m] triangle size
 constexpr double kBlur = 0.006;  // [m] against creases where the meridians meet beside the hiatus
 constexpr double kSeam = 0.003;  // [m] over which the sheet turns along the chest wall
+constexpr double kFar = 0.015;   // [m] from the sheet, where the walls make no difference
 constexpr double kRim = 2.0;     // s
 
 // The measured sheet made a solid: its wall goes on below the rim as a skirt, and a cone closes it.
@@ -147,7 +148,8 @@ Diaphragm generateDiaphragm(const DiaphragmShape& shape, const std::array<ChestW
   const SmoothField blurred([&](const Vector3d& p) { return measured.signedDistance(p); }, box.cast<double>(),
                             kBlur);
   const Solid solid = [&](const Vector3d& p) {
-    return smoothIntersection(blurred(p), beyondWalls(walls, p), kSeam);
+    const double sheet = blurred(p);
+    return std::abs(sheet) > kFar ? sheet : smoothIntersection(sheet, beyondWalls(walls, p), kSeam);
   };
 
   const TriangleMesh closed = skinOf(solid, box.cast<double>(), kSpacing);

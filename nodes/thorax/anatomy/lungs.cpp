@@ -60,6 +60,9 @@ class Space {
   }
 
   double operator()(const Vector3d& p) const {
+    constexpr double kFar = 0.03;  // [m] outside, where nothing else matters
+    const double outline = outline_(p);
+    if (outline > kFar) return outline;
     const double wall = beyondWall(p);
     const double dome = belowDome(p);
     const double midline = kMidline - sign(side_) * p.x();
