@@ -6,7 +6,7 @@
 namespace pleura {
 namespace {
 
-constexpr float kNearWall = 0.015f;  // [m] a wall or rim point farther from the ribs belongs to the crura
+constexpr float kNearWall = 0.008f;  // [m] a wall or rim point farther from the ribs belongs to the crura
 
 struct Tendon {
   std::vector<int> points;

@@ -49,7 +49,7 @@ bool stays(const PleuralWall& wall, std::size_t above) {
     const BodyWeights& w = wall.weights[k];
     return std::accumulate(w.weight.begin(), w.weight.begin() + w.count, 0.0f);
   };
-  return std::min(carried(above), carried(above + 1)) < 0.99f;
+  return std::min(carried(above), carried(above + 1)) < 0.5f;
 }
 
 /// v of the place nearest to `point` along the profile at a fraction between two columns.

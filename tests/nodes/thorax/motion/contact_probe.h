@@ -20,7 +20,7 @@ struct Worst {
   void take(double candidate, const std::string& name, const Eigen::Vector3f& at) {
     if (candidate <= value) return;
     std::ostringstream text;
-    text << name << " at rest (" << 1000.0f * at.transpose() << ") mm";
+    text << name << " (" << 1000.0f * at.transpose() << ") mm";
     value = candidate;
     where = text.str();
   }
