@@ -38,15 +38,22 @@ void write(const std::filesystem::path& path, const std::string& text) {
   if (!out.flush()) throw FileError(path.string() + ": can't be written");
 }
 
+Anatomy realAnatomy(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) throw FileError(folder.string() + ": no such folder");
+  try {
+    return anatomyFromMeshes(folder, meshOfFile);
+  } catch (const std::invalid_argument& bad) {
+    throw Fault(bad.what());
+  }
+}
+
 void makeAnatomy(const Options& options) {
   NodeRegistry registry;
   registerStandardNodes(registry);
   PluginLoader().load("thorax", registry);
   const bool isReal = !options.from.empty();
-  if (isReal && !std::filesystem::is_directory(options.from))
-    throw FileError(options.from.string() + ": no such folder");
+  const Anatomy anatomy = isReal ? realAnatomy(options.from) : generateAnatomy();
   std::filesystem::create_directories(options.output);
-  const Anatomy anatomy = isReal ? anatomyFromMeshes(options.from, meshOfFile) : generateAnatomy();
   const std::string source =
       isReal ? "meshes of " + options.from.filename().string()
              : "measured on BodyParts3D, (c) The Database Center for Life Science, CC BY 4.0";

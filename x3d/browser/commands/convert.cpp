@@ -9,6 +9,7 @@
 #include <pleura/nodes/standard/register.h>
 #include <pleura/x3d/browser/anatomy/node_maker.h>
 #include <pleura/x3d/browser/commands/commands.h>
+#include <pleura/x3d/browser/commands/number_in.h>
 #include <pleura/x3d/browser/scene/scene.h>
 #include <pleura/x3d/encoding/writer.h>
 #include <pleura/x3d/import/mesh_import.h>
@@ -105,13 +106,13 @@ void addConvertCommand(CLI::App& app) {
   command->add_option("IN", options->input, "X3D, OBJ, STL, PLY, glTF, ...")->required();
   command->add_option("-o,--output", options->output, "X3D file")->required();
   command->add_option("--decimate", options->decimate, "Share of the triangles that is kept")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(numberIn(0, 1));
   command->add_flag("--repair", options->repair, "Weld, orient, drop what is broken");
   command
       ->add_option("--fill-holes", options->fillHoles, "Close holes of up to so many edges (repairs first)")
       ->check(CLI::Range(0, 100000));
   command->add_option("--scale", options->scale, "Metres in the file's unit of length")
-      ->check(CLI::PositiveNumber);
+      ->check(numberIn(1e-9, 1e9));
   command->add_option("--frame", options->frame, "The file's axes that are X3D's x, y and z, as \"x z -y\"");
   command->callback([options] { convert(*options); });
 }

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include <pleura/x3d/browser/commands/commands.h>
+#include <pleura/x3d/browser/commands/number_in.h>
 #include <pleura/x3d/browser/commands/scene_options.h>
 #include <pleura/x3d/browser/view/player.h>
 
@@ -19,7 +20,7 @@ void addPlayCommand(CLI::App& app) {
   command->add_option("--width", options->width, "Of the window in pixels")->check(CLI::Range(64, 8192));
   command->add_option("--height", options->height, "Of the window in pixels")->check(CLI::Range(64, 8192));
   command->add_option("--for", options->seconds, "Close after so many seconds; 0: when the user does")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(numberIn(0, 1e9));
   command->callback([options] {
     const auto scene = options->load();
     for (const auto& assignment : options->playback.set) scene->set(assignment);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <pleura/x3d/browser/commands/commands.h>
+#include <pleura/x3d/browser/commands/number_in.h>
 #include <pleura/x3d/browser/commands/picture_options.h>
 #include <pleura/x3d/browser/commands/progress.h>
 #include <pleura/x3d/browser/commands/scene_options.h>
@@ -74,12 +75,12 @@ void addRenderCommand(CLI::App& app) {
   options->picture.addTo(*command);
   command->add_option("-o,--output", options->output, "x.png, x.mp4 or a folder")->required();
   auto* at =
-      command->add_option("--at", options->at, "Time of the picture in seconds")->check(CLI::Range(0.0, 1e9));
+      command->add_option("--at", options->at, "Time of the picture in seconds")->check(numberIn(0, 1e9));
   command->add_option("--for", options->seconds, "Seconds to film")
       ->excludes(at)
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(numberIn(0, 1e6));
   command->add_option("--fps", options->framesPerSecond, "Frames a second")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(numberIn(0.01, 1000))
       ->capture_default_str();
   command->callback([options, command] { renderScene(*options, command->count("--step") > 0); });
 }

@@ -1,6 +1,7 @@
 #include <memory>
 
 #include <pleura/x3d/browser/commands/commands.h>
+#include <pleura/x3d/browser/commands/number_in.h>
 #include <pleura/x3d/browser/commands/scene_options.h>
 
 namespace pleura {
@@ -15,7 +16,7 @@ void addRunCommand(CLI::App& app) {
   options->addPlaybackTo(*command);
   command->add_option("--for", options->seconds, "Seconds of the scene's time")
       ->required()
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(numberIn(0, 1e9));
   command->callback([options] {
     const auto scene = options->load();
     Playback playback(*scene, options->playback);
