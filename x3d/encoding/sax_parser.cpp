@@ -1,3 +1,4 @@
+#include <cfenv>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -68,9 +69,15 @@ void onError(void* user, xmlError* error) {
   parse.diagnostics.error(place, "XML: " + message);
 }
 
+/// libxml2 makes itself a NaN by dividing by zero, which the caller may have trapped.
 void initializeLibxml() {
   static std::once_flag once;
-  std::call_once(once, xmlInitParser);
+  std::call_once(once, [] {
+    std::fenv_t callers;
+    std::feholdexcept(&callers);
+    xmlInitParser();
+    std::fesetenv(&callers);
+  });
 }
 
 }  // namespace
