@@ -101,7 +101,8 @@ void parseXml(const SourceText& source, ElementHandler& handler, Diagnostics& di
   if (!parser) throw std::bad_alloc();
   parse.parser = parser.get();
   *parser->sax = sax;
-  xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_BIG_LINES);
+  // Without NOENT "&amp;" would come as "&#38;"; a file's own entities are not known, and so not expanded.
+  xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_BIG_LINES | XML_PARSE_NOENT);
   parser->userData = &parse;
   xmlParseDocument(parser.get());
 }
