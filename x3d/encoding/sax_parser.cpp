@@ -1,3 +1,4 @@
+#include <cfenv>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -68,9 +69,15 @@ void onError(void* user, xmlError* error) {
   parse.diagnostics.error(place, "XML: " + message);
 }
 
+/// libxml2 makes itself a NaN by dividing by zero, which the caller may have trapped.
 void initializeLibxml() {
   static std::once_flag once;
-  std::call_once(once, xmlInitParser);
+  std::call_once(once, [] {
+    std::fenv_t callers;
+    std::feholdexcept(&callers);
+    xmlInitParser();
+    std::fesetenv(&callers);
+  });
 }
 
 }  // namespace
@@ -94,7 +101,8 @@ void parseXml(const SourceText& source, ElementHandler& handler, Diagnostics& di
   if (!parser) throw std::bad_alloc();
   parse.parser = parser.get();
   *parser->sax = sax;
-  xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_BIG_LINES);
+  // Without NOENT "&amp;" would come as "&#38;"; a file's own entities are not known, and so not expanded.
+  xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_BIG_LINES | XML_PARSE_NOENT);
   parser->userData = &parse;
   xmlParseDocument(parser.get());
 }

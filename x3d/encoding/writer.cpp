@@ -54,7 +54,7 @@ class Writer {
     out_ += "  <Scene>\n";
     for (const auto& library : document_.libraries)
       out_ += fmt::format("    <ImportLibrary library={}/>\n", attributeText(library));
-    for (const auto& node : document_.nodes) writeNode(node, "children", 2);
+    for (const auto& node : document_.nodes) writeNode(node, node->type().containerField(), 2);
     for (const auto& [inlineName, node, as] : document_.imports)
       out_ += fmt::format("    <IMPORT inlineDEF={} importedDEF={} AS={}/>\n", attributeText(inlineName),
                           attributeText(node), attributeText(as));

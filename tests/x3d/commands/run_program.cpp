@@ -12,16 +12,27 @@ namespace {
 
 std::string quoted(const std::string& word) {
   std::string out = "'";
-  for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      out += "'\\''";
+    } else {
+      out += c;
+    }
+  }
+  out += '\'';
+  return out;
 }
 
 }  // namespace
 
 Outcome runProgram(const std::vector<std::string>& arguments) {
   std::string command = "timeout 60 " + quoted(PLEURA_PROGRAM);
-  for (const auto& argument : arguments) command += " " + quoted(argument);
-  std::FILE* pipe = ::popen((command + " 2>&1 </dev/null").c_str(), "r");
+  for (const auto& argument : arguments) {
+    command += ' ';
+    command += quoted(argument);
+  }
+  command += " 2>&1 </dev/null";
+  std::FILE* pipe = ::popen(command.c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("can't run " + command);
   Outcome outcome;
   std::array<char, 4096> block{};

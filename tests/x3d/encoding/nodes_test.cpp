@@ -46,7 +46,7 @@ TEST(ReadNodes, DefaultContainerFieldIsTheTypes) {
 
 TEST(ReadNodes, ContainerFieldMovesANode) {
   auto scene = ReadScene::ofElements(
-      "<Group DEF='G'><MetadataString DEF='M'/></Group>"
+      "<Group DEF='G'><MetadataString DEF='M' containerField='metadata'/></Group>"
       "<MetadataSet DEF='S'><MetadataString USE='M' containerField='value'/></MetadataSet>");
   EXPECT_THAT(scene.said(), IsEmpty());
   EXPECT_EQ(dynamic_cast<SFNode&>(scene.field("G", "metadata")).getValue(), scene.document.names.at("M"));

@@ -57,8 +57,8 @@ TEST(ReadRoutes, UnknownEndsNameTheNearest) {
   EXPECT_THAT(saidOf("LEFT", "translaton", "RIGHT", "translation"),
               ElementsAre("s.x3d:2:1: error: ROUTE: LEFT (Transform) has no field translaton; did you mean "
                           "translation?"));
-  EXPECT_THAT(saidOf("LEFT", "translation", "RIHGT", "translation"),
-              ElementsAre("s.x3d:2:1: error: ROUTE: no node RIHGT; did you mean RIGHT?"));
+  EXPECT_THAT(saidOf("LEFT", "translation", "RIGHTT", "translation"),
+              ElementsAre("s.x3d:2:1: error: ROUTE: no node RIGHTT; did you mean RIGHT?"));
 }
 
 TEST(ReadRoutes, BothBadEndsAreTold) { EXPECT_EQ(saidOf("A", "b", "C", "d").size(), 2u); }

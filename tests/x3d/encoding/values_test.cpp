@@ -64,6 +64,11 @@ TEST(ReadValues, EveryKindOfBadValueKeepsTheDefault) {
   }
 }
 
+TEST(ReadValues, XmlsOwnEntitiesAreTheirCharacters) {
+  auto scene = ReadScene::ofElements("<WorldInfo DEF='W' title='a &amp; b &#38; &lt;c&gt; &apos;&quot;'/>");
+  EXPECT_EQ(scene.value("W", "title"), "a & b & <c> '\"");
+}
+
 TEST(ReadValues, OutputOnlyTakesNoValue) {
   auto scene = ReadScene::ofElements("<TimeSensor DEF='C' time='3'/>");
   EXPECT_THAT(scene.said(),

@@ -17,11 +17,11 @@ namespace pleura {
 
 /// What `run` and `render` are asked to do with a scene.
 struct PlaybackOptions {
-  double step = 1.0 / 30;            // [s] of the virtual clock
-  std::vector<std::string> set{};    // "DEF.field=VALUE", before the first tick
-  std::string keys{};                // see parseKeys
-  std::vector<std::string> watch{};  // "DEF.field"
-  std::filesystem::path csv{};       // where the watched fields go; empty: nowhere
+  double step = 1.0 / 30;          // [s] of the virtual clock
+  std::vector<std::string> set = {};    // "DEF.field=VALUE", before the first tick
+  std::string keys = {};                // see parseKeys
+  std::vector<std::string> watch = {};  // "DEF.field"
+  std::filesystem::path csv = {};       // where the watched fields go; empty: nowhere
 };
 
 /// A scene moved along by a virtual clock from time 0: keys at their times, a row of the table a step, costs
