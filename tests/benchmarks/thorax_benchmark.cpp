@@ -18,12 +18,14 @@ void tick(benchmark::State& state, const std::filesystem::path& anatomy) {
   auto& left = static_cast<MFVec3f&>(scene.field("LUNG_L.deformedCoord"));
   auto& right = static_cast<MFVec3f&>(scene.field("LUNG_R.deformedCoord"));
   double now = 0;
-  for (auto _ : state) {
+  const auto tickAndPull = [&] {
     scene.tick(now += 0.001);
     benchmark::DoNotOptimize(diaphragm.getValue().data());
     benchmark::DoNotOptimize(left.getValue().data());
     benchmark::DoNotOptimize(right.getValue().data());
-  }
+  };
+  tickAndPull();  // the first binds the organs to their walls, once
+  for (auto _ : state) tickAndPull();
   state.counters["diaphragmPoints"] = static_cast<double>(diaphragm.size());
   state.counters["lungPoints"] = static_cast<double>(left.size() + right.size());
 }
