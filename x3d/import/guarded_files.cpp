@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -64,6 +65,8 @@ Assimp::IOStream* GuardedFiles::Open(const char* file, const char*) {
     const auto* begin = reinterpret_cast<const char*>(content_.data());
     return new GuardedStream(std::vector<char>(begin, begin + content_.size()));
   }
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return nullptr;  // a pipe would be waited for
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return nullptr;
   return new GuardedStream(std::vector<char>(std::istreambuf_iterator<char>(stream), {}));

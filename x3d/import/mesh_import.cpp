@@ -1,37 +1,30 @@
 #include <algorithm>
-#include <cfenv>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <system_error>
 
 #include <Eigen/LU>
-#include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
 
-#include <pleura/x3d/import/assimp_scene.h>
-#include <pleura/x3d/import/guarded_files.h>
+#include <pleura/nodes/deformable/mesh/mesh_report.h>
+#include <pleura/nodes/deformable/mesh/repair.h>
+#include <pleura/nodes/deformable/mesh/topology.h>
+#include <pleura/nodes/deformable/mesh/weld.h>
+#include <pleura/x3d/import/assimp_reader.h>
+#include <pleura/x3d/import/isolated_call.h>
 #include <pleura/x3d/import/mesh_import.h>
-#include <pleura/x3d/import/trial_run.h>
+#include <pleura/x3d/import/raw_part.h>
 
 namespace pleura {
 
 namespace {
 
 using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::Vector3i;
 
-/// Whoever traps floating-point exceptions, as our tests do, doesn't mean those inside assimp.
-class UntrappedFloatingPoint {
- public:
-  UntrappedFloatingPoint() { std::feholdexcept(&saved_); }
-  ~UntrappedFloatingPoint() { std::fesetenv(&saved_); }
-  UntrappedFloatingPoint(const UntrappedFloatingPoint&) = delete;
-  UntrappedFloatingPoint& operator=(const UntrappedFloatingPoint&) = delete;
-
- private:
-  std::fenv_t saved_;
-};
+constexpr unsigned int readingLimit = 60;  // seconds of processor time
 
 Matrix3d checkedFrame(const MeshImportOptions& options) {
   if (!std::isfinite(options.scale) || options.scale <= 0)
@@ -42,59 +35,61 @@ Matrix3d checkedFrame(const MeshImportOptions& options) {
   return options.axes * options.scale;
 }
 
-void requireReader(const Assimp::Importer& importer, const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
-  if (extension.empty()) throw MeshImportError(file, "no extension to tell the format by");
-  if (!importer.IsExtensionSupported(extension)) throw MeshImportError(file, "no reader for " + extension);
+float toUnitInterval(float x) { return std::isfinite(x) ? std::clamp(x, 0.0f, 1.0f) : 1.0f; }
+
+bool fitsFloat(const Vector3d& point, double largest) {
+  return std::all_of(point.begin(), point.end(),
+                     [largest](double x) { return std::isfinite(x) && std::abs(x) <= largest; });
 }
 
-/// Assimp's triangulation ends the program on a mesh that claims polygons and has none.
-void requireTruePolygons(const aiScene& scene, const std::filesystem::path& file) {
-  for (const aiMesh* mesh : std::span(scene.mMeshes, scene.mNumMeshes)) {
-    const auto isPolygon = [](const aiFace& face) { return face.mNumIndices > 3; };
-    const bool claimsPolygons = (mesh->mPrimitiveTypes & aiPrimitiveType_POLYGON) != 0;
-    if (claimsPolygons && std::none_of(mesh->mFaces, mesh->mFaces + mesh->mNumFaces, isPolygon))
-      throw MeshImportError(file, "its faces don't have the corners they should");
+/// Readers give each corner of a triangle its own point.
+void joinEqualPoints(TriangleMesh& mesh) {
+  const std::vector<int> standIn = weldedPoints(mesh.points, 0);
+  for (Vector3i& triangle : mesh.triangles)
+    for (int& corner : triangle) corner = standIn[corner];
+  removeUnreferencedPoints(mesh);
+}
+
+TriangleMesh checkedMesh(const RawPart& raw, const Matrix3d& frame) {
+  constexpr double largest = std::numeric_limits<float>::max();
+  TriangleMesh mesh{{}, raw.triangles};
+  for (const Vector3d& point : raw.points) {
+    // checked before it is moved too, for infinity times 0 is what we're here to prevent
+    const Vector3d moved = fitsFloat(point, largest) ? Vector3d(frame * point) : point;
+    if (!fitsFloat(moved, largest))
+      throw std::invalid_argument("a coordinate is not finite, or beyond a float's range");
+    mesh.points.push_back(moved.cast<float>());
   }
+  requireIndicesInRange(mesh.points.size(), mesh.triangles);
+  if (frame.determinant() < 0)
+    for (Vector3i& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  joinEqualPoints(mesh);
+  return mesh;
 }
 
 ImportedScene importFrom(std::unique_ptr<GuardedFiles> files, const std::filesystem::path& file,
                          const MeshImportOptions& options) {
   const Matrix3d frame = checkedFrame(options);
-  Assimp::Importer importer;
-  requireReader(importer, file);
-  importer.SetIOHandler(files.release());  // the importer's own from now on
-  ImportedScene result;
+  const std::string extension = file.extension().string();
+  if (extension.empty()) throw MeshImportError(file, "no extension to tell the format by");
+  if (!isReadByAssimp(file)) throw MeshImportError(file, "no reader for " + extension);
+  ImportedScene scene;
   try {
-    const UntrappedFloatingPoint untrapped;
-    const aiScene* scene = importer.ReadFile(file.string(), aiProcess_ValidateDataStructure);
-    if (scene != nullptr) requireTruePolygons(*scene, file);
-    if (scene != nullptr) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-    if (scene == nullptr) throw MeshImportError(file, importer.GetErrorString());
-    result = partsOf(*scene, file, frame);
-  } catch (const MeshImportError&) {
-    throw;
+    const std::string bytes =
+        isolatedCall([&] { return pack(readWithAssimp(file, std::move(files))); }, readingLimit);
+    for (const RawPart& raw : unpack(bytes)) {
+      if (raw.triangles.empty()) continue;
+      scene.parts.push_back({raw.name.empty() ? file.stem().string() : raw.name, checkedMesh(raw, frame),
+                             raw.colour.unaryExpr(&toUnitInterval)});
+    }
   } catch (const std::exception& error) {
     throw MeshImportError(file, error.what());
   }
-  if (result.parts.empty()) throw MeshImportError(file, "no triangles");
-  return result;
-}
-
-/// Assimp's readers can crash or run on for ever on a damaged file: a copy of this process goes first.
-template <class MakeFiles>
-ImportedScene importSafely(MakeFiles makeFiles, const std::filesystem::path& file,
-                           const MeshImportOptions& options) {
-  constexpr int kLongest = 120;  // [s]
-  switch (tryInChild([&] { importFrom(makeFiles(), file, options); }, kLongest)) {
-    case Trial::crashed:
-      throw MeshImportError(file, "damaged: its reader breaks down on it");
-    case Trial::hung:
-      throw MeshImportError(file, "damaged: its reader comes to no end");
-    case Trial::finished:
-      break;
-  }
-  return importFrom(makeFiles(), file, options);
+  if (scene.parts.empty()) throw MeshImportError(file, "no triangles");
+  for (const ImportedPart& part : scene.parts)
+    for (const std::string& fault : faults(analyze(part.mesh)))
+      scene.diagnostics.push_back(part.name + ": " + fault);
+  return scene;
 }
 
 }  // namespace
@@ -125,14 +120,14 @@ ImportedScene importMesh(const std::filesystem::path& file, const MeshImportOpti
   if (!std::filesystem::is_regular_file(status)) throw MeshImportError(file, "not a file");
   if (std::filesystem::file_size(file, error) == 0 || error)
     throw MeshImportError(file, "empty, or can't be read");
-  return importSafely([] { return std::make_unique<GuardedFiles>(); }, file, options);
+  return importFrom(std::make_unique<GuardedFiles>(), file, options);
 }
 
 ImportedScene importMesh(std::span<const std::byte> content, const std::string& name,
                          const MeshImportOptions& options) {
   const std::filesystem::path file(name);
   if (content.empty()) throw MeshImportError(file, "empty");
-  return importSafely([&] { return std::make_unique<GuardedFiles>(name, content); }, file, options);
+  return importFrom(std::make_unique<GuardedFiles>(name, content), file, options);
 }
 
 }  // namespace pleura

@@ -41,7 +41,8 @@ struct ImportedScene {
 
 /// Reads OBJ, STL, PLY, glTF or what else assimp knows. Polygons become triangles, points at the same place
 /// one point in order of first use, and the parts stand where the file's nodes put them. Throws
-/// MeshImportError if the file can't be read or has no triangles, and on coordinates that aren't finite.
+/// MeshImportError if the file can't be read or has no triangles, and on coordinates that aren't finite. The
+/// reading itself is done in a process of its own (isolatedCall): assimp crashes on some broken files.
 ImportedScene importMesh(const std::filesystem::path& file, const MeshImportOptions& options = {});
 
 /// The same from memory; `name` ("left_lung.obj") tells the format and stands in messages.
