@@ -1,13 +1,8 @@
-#include <algorithm>
-#include <array>
-
 #include <pleura/nodes/deformable/mesh/disjoint_sets.h>
 #include <pleura/nodes/deformable/mesh/edge_uses.h>
 #include <pleura/nodes/deformable/mesh/manifold.h>
 
 namespace pleura {
-
-using Eigen::Vector3i;
 
 namespace {
 
@@ -42,26 +37,6 @@ int splitFans(TriangleMesh& mesh) {
     index = pointOf[fan];
   }
   return static_cast<int>(mesh.points.size() - before);
-}
-
-int dropOverlaps(std::vector<Vector3i>& triangles) {
-  std::vector<std::array<int, 3>> directedEdges(triangles.size());  // of each side
-  int count = 0;
-  forEachEdge(edgeUses(triangles), [&](std::span<const EdgeUse> edge) {
-    for (const EdgeUse& use : edge) directedEdges[use.triangle][use.side] = count + (use.forward ? 1 : 0);
-    count += 2;
-  });
-  std::vector<bool> taken(count, false);
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto& sides = directedEdges[t];
-    if (std::ranges::any_of(sides, [&taken](int edge) { return taken[edge]; })) continue;
-    for (const int edge : sides) taken[edge] = true;
-    triangles[kept++] = Vector3i(triangles[t]);
-  }
-  const int dropped = static_cast<int>(triangles.size() - kept);
-  triangles.resize(kept);
-  return dropped;
 }
 
 }  // namespace pleura

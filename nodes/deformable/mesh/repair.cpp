@@ -74,8 +74,6 @@ RepairReport repair(TriangleMesh& mesh, const RepairOptions& options) {
   report.droppedTriangles += dropRepeats(mesh.triangles);
   if (options.orient) report.turnedTriangles = orientConsistently(mesh.triangles);
   report.splitPoints = splitFans(mesh);
-  report.overlappingTriangles = dropOverlaps(mesh.triangles);
-  if (report.overlappingTriangles > 0) report.splitPoints += splitFans(mesh);
   report.filledHoles = fillHoles(mesh, options.maxHoleEdges);
   report.removedPoints = removeUnreferencedPoints(mesh);
   if (options.orient) report.turnedParts = faceOutwards(mesh.points, mesh.triangles);
@@ -92,7 +90,6 @@ std::vector<std::string> deeds(const RepairReport& report) {
   say("dropped", report.droppedTriangles, "unusable or repeated triangle");
   say("turned", report.turnedTriangles, "triangle");
   say("split", report.splitPoints, "point");
-  say("dropped", report.overlappingTriangles, "overlapping triangle");
   say("filled", report.filledHoles, "hole");
   say("turned", report.turnedParts, "inside-out part");
   say("removed", report.removedPoints, "unused point");

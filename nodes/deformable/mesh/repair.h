@@ -18,8 +18,7 @@ struct RepairReport {
   int weldedPoints = 0;
   int droppedTriangles = 0;  // out of range, not finite, of repeated points, duplicates
   int turnedTriangles = 0;
-  int splitPoints = 0;           // copies made where sheets only touched
-  int overlappingTriangles = 0;  // dropped where more than two would share an edge
+  int splitPoints = 0;  // copies made where sheets only touched
   int filledHoles = 0;
   int turnedParts = 0;    // closed parts that were inside out
   int removedPoints = 0;  // of no triangle

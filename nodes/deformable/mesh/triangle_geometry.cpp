@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -59,7 +58,6 @@ Ray::Ray(const Vector3d& origin, const Vector3d& direction) : origin_(origin), d
   direction.cwiseAbs().maxCoeff(&kz_);
   kx_ = (kz_ + 1) % 3;
   ky_ = (kz_ + 2) % 3;
-  if (direction[kz_] < 0) std::swap(kx_, ky_);
   shear_ = Vector3d(direction[kx_], direction[ky_], 1) / direction[kz_];
 }
 
