@@ -12,8 +12,9 @@ namespace pleura {
   X(ColorRGBA)                                                                                            \
   X(Double)                                                                                               \
   X(Float)                                                                                                \
-  X(Image) X(Int32) X(Matrix3d) X(Matrix3f) X(Matrix4d) X(Matrix4f) X(Node) X(Rotation) X(String) X(Time) \
-      X(Vec2d) X(Vec2f) X(Vec3d) X(Vec3f) X(Vec4d) X(Vec4f)
+  X(Image)                                                                                                \
+  X(Int32) X(Matrix3d) X(Matrix3f) X(Matrix4d) X(Matrix4f) X(Node) X(Rotation) X(String) X(Time) X(Vec2d) \
+      X(Vec2f) X(Vec3d) X(Vec3f) X(Vec4d) X(Vec4f)
 
 enum class FieldType : std::uint8_t {
 #define PLEURA_FIELD_TYPE(T) SF##T, MF##T,

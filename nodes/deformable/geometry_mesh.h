@@ -7,8 +7,8 @@
 
 namespace pleura {
 
-/// The triangles of an IndexedTriangleSet or IndexedFaceSet with that many points, faces of more corners as fans, those
-/// with indices out of range left out; none for any other geometry. Reads no point.
+/// The triangles of an IndexedTriangleSet or IndexedFaceSet with that many points, faces of more corners as
+/// fans, those with indices out of range left out; none for any other geometry. Reads no point.
 std::vector<Eigen::Vector3i> trianglesOf(X3DGeometryNode& geometry, std::size_t points);
 
 /// The same with the points of its Coordinate, as they are now.

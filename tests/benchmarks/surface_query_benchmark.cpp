@@ -1,7 +1,7 @@
-#include <benchmark/benchmark.h>
-#include <pleura/nodes/deformable/mesh/surface_query.h>
-
 #include "../nodes/deformable/mesh/shapes.h"
+#include <benchmark/benchmark.h>
+
+#include <pleura/nodes/deformable/mesh/surface_query.h>
 
 namespace pleura {
 namespace {

@@ -128,7 +128,8 @@ DocumentBuilder::Open DocumentBuilder::useNode(std::string_view def, const Attri
 
 void DocumentBuilder::setFields(Node& node, const Attributes& attributes, std::size_t tag) {
   for (const auto& attribute : attributes)
-    if (!isReserved(attribute.name) || node.type().find(attribute.name) != nullptr) setField(node, attribute, tag);
+    if (!isReserved(attribute.name) || node.type().find(attribute.name) != nullptr)
+      setField(node, attribute, tag);
 }
 
 void DocumentBuilder::setField(Node& node, const Attribute& attribute, std::size_t tag) {

@@ -187,11 +187,13 @@ void DocumentBuilder::makeRoute(const PendingRoute& pending) {
   Field* from = routeEnd(route.fromNode, route.fromField, pending.tag);
   Field* to = routeEnd(route.toNode, route.toField, pending.tag);
   if (from == nullptr || to == nullptr) return;
-  // The first event is a value that the target has missed. A switch, a time or a key that nobody has sent is none.
+  // The first event is a value that the target has missed. A switch, a time or a key that nobody has sent is
+  // none.
   const FieldType kind = singleOf(from->getType());
   const bool isCommand = from->getAccessType() == Access::outputOnly &&
-                         (kind == FieldType::SFBool || kind == FieldType::SFTime || kind == FieldType::SFString ||
-                          kind == FieldType::SFInt32) && !isMulti(from->getType());
+                         (kind == FieldType::SFBool || kind == FieldType::SFTime ||
+                          kind == FieldType::SFString || kind == FieldType::SFInt32) &&
+                         !isMulti(from->getType());
   try {
     isCommand ? from->routeNoEvent(*to) : from->route(*to);
   } catch (const RouteError& bad) {

@@ -20,9 +20,10 @@ struct Contact {
   bool operator==(const Contact&) const = default;
 };
 
-/// Every contact within `reach` [m], by ascending second index. Points that are not finite have none. n log n, and
-/// linear in the pairs whose x differs by less than the reach.
-std::vector<Contact> nearestContacts(std::span<const Eigen::Vector3f> object1, std::span<const Eigen::Vector3f> object2,
-                                     const ContactRegion& region, float reach);
+/// Every contact within `reach` [m], by ascending second index. Points that are not finite have none. n log
+/// n, and linear in the pairs whose x differs by less than the reach.
+std::vector<Contact> nearestContacts(std::span<const Eigen::Vector3f> object1,
+                                     std::span<const Eigen::Vector3f> object2, const ContactRegion& region,
+                                     float reach);
 
 }  // namespace pleura

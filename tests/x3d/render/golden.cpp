@@ -42,7 +42,7 @@ Image drawGolden(const DrawList& list) {
 
 void expectGolden(const Image& image, const std::string& name) {
   const std::string golden = PLEURA_SOURCE_DIR "/tests/x3d/render/golden/" + name + ".png";
-  const std::string actual = name + ".actual.png";
+  const std::string actual = ::testing::TempDir() + name + ".actual.png";
   writePng(image, actual);
   ASSERT_TRUE(std::filesystem::exists(golden))
       << "no " << golden << "; look at " << actual << " and keep it if right";

@@ -76,9 +76,7 @@ void addRenderCommand(CLI::App& app) {
   command->add_option("-o,--output", options->output, "x.png, x.mp4 or a folder")->required();
   auto* at =
       command->add_option("--at", options->at, "Time of the picture in seconds")->check(numberIn(0, 1e9));
-  command->add_option("--for", options->seconds, "Seconds to film")
-      ->excludes(at)
-      ->check(numberIn(0, 1e6));
+  command->add_option("--for", options->seconds, "Seconds to film")->excludes(at)->check(numberIn(0, 1e6));
   command->add_option("--fps", options->framesPerSecond, "Frames a second")
       ->check(numberIn(0.01, 1000))
       ->capture_default_str();

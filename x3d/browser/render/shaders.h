@@ -133,8 +133,9 @@ void main() {
 }
 )";
 
-/// Blends a pixel's list from the farthest, BATCH fragments a walk through the list: they are sorted in registers, which
-/// software OpenGL needs to be fast, and no list is too long. Fragments of one depth follow in the order they were drawn.
+/// Blends a pixel's list from the farthest, BATCH fragments a walk through the list: they are sorted in
+/// registers, which software OpenGL needs to be fast, and no list is too long. Fragments of one depth follow
+/// in the order they were drawn.
 inline constexpr const char* fragmentListBlend = R"(
 const int BATCH = 8;
 uniform sampler2DMS opaqueColor;

@@ -17,7 +17,7 @@ namespace pleura {
 
 /// What `run` and `render` are asked to do with a scene.
 struct PlaybackOptions {
-  double step = 1.0 / 30;          // [s] of the virtual clock
+  double step = 1.0 / 30;               // [s] of the virtual clock
   std::vector<std::string> set = {};    // "DEF.field=VALUE", before the first tick
   std::string keys = {};                // see parseKeys
   std::vector<std::string> watch = {};  // "DEF.field"

@@ -52,7 +52,7 @@ class Scene : public SceneContext {
   PluginLoader plugins_;
   std::string file_;
   std::set<std::string> warned_;  // a warning that comes every tick is told once
-  Document document_;  // last: its nodes may use all the others when they go
+  Document document_;             // last: its nodes may use all the others when they go
 };
 
 }  // namespace pleura
