@@ -42,7 +42,7 @@ std::string referenceAsText(const NodeType& type) {
                        field->defaultText);
     if (field->unit != Unit::none) out += fmt::format(" [{}]", symbol(field->unit));
     if (const auto within = range(*field); !within.empty()) out += fmt::format(" ({})", within);
-    if (!field->meaning.empty()) out += "\n" + std::string(42, ' ') + field->meaning;
+    if (!field->meaning.empty()) out += fmt::format("\n{:42}{}", "", field->meaning);
     out += "\n";
   }
   return out;
