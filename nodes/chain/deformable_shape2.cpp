@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include <fmt/format.h>
+
 #include <pleura/nodes/chain/deformable_shape2.h>
 #include <pleura/nodes/core/scene_context.h>
 #include <pleura/nodes/thorax/rot_transform.h>
@@ -84,12 +86,20 @@ void DeformableShape2::gatherContacts() {
     return key(a) > key(b);
   });
   for (const auto& follower : followers_) drive(follower.point, follower.target);
-  const float way = inflation.getValue();
-  const auto& rest = origCoord.getValue();
-  for (const int point : dome.getValue())
-    if (point >= 0 && point < std::ssize(rest))
-      drive(point, rest[static_cast<std::size_t>(point)] + way * domeTravel.getValue());
+  moveDome();
   pleura::DeformableShape2::gatherContacts();
+}
+
+void DeformableShape2::moveDome() {
+  const Vec3f way = inflation.getValue() * domeTravel.getValue();
+  const auto& rest = origCoord.getValue();
+  for (const int point : dome.getValue()) {
+    if (point >= 0 && point < std::ssize(rest)) {
+      drive(point, rest[static_cast<std::size_t>(point)] + way);
+    } else {
+      context().warn(*this, fmt::format("dome: there is no point {} among {}", point, rest.size()));
+    }
+  }
 }
 
 void DeformableShape2::gatherFollowers(Field& points, TouchInput& contacts) {

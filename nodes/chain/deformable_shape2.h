@@ -59,6 +59,7 @@ class DeformableShape2 : public pleura::DeformableShape2, public Leader {
     Vec3f target;
   };
   void gatherFollowers(Field& points, TouchInput& contacts);
+  void moveDome();
   void onKey();
 
   std::vector<Follower> followers_;

@@ -32,6 +32,7 @@ struct Organ {
   std::string timeSensor;
   Tissue tissue;
   Vec3f chainmail;  // compression, stretch, shear
+  int smoothing;
 };
 
 class ChainWriter {
@@ -84,6 +85,7 @@ class ChainWriter {
     maker_.set<SFFloat>(deformer, "compressionFactor", organ.chainmail.x());
     maker_.set<SFFloat>(deformer, "stretchFactor", organ.chainmail.y());
     maker_.set<SFFloat>(deformer, "shearFactor", organ.chainmail.z());
+    maker_.set<SFInt32>(deformer, "smoothing", organ.smoothing);
     const auto node = maker_.make("DeformableShape2", "deform");
     maker_.put(node, "appearance", appearanceOf(maker_, organ.tissue));
     maker_.put(node, "geometry", triangleSet(maker_, mesh, isSolid, kPerCentimetre, kCoordinate));
@@ -102,7 +104,7 @@ class ChainWriter {
 
   void addDiaphragm(const Diaphragm& diaphragm) {
     Document document;
-    const Organ organ{"diaphragm", "TimeNode", Tissue::muscle, {0.7f, 1.1f, 0.1f}};
+    const Organ organ{"diaphragm", "TimeNode", Tissue::muscle, {0.7f, 1.1f, 0.1f}, 0};
     const TriangleMesh mesh = coarse(diaphragm.mesh, kOrganTriangles);
     const auto node = addOrgan(document, organ, mesh, false);
     const auto tendon = tendonOf(diaphragm, mesh);
@@ -119,7 +121,8 @@ class ChainWriter {
     const Organ organ{isLeft ? "left_lung" : "right_lung",
                       isLeft ? "timeLL" : "timeRL",
                       Tissue::lung,
-                      {0.33333f, 1.25f, 0.25f}};
+                      {0.33333f, 1.25f, 0.25f},
+                      10};
     addOrgan(document, organ, coarse(lung.mesh, kOrganTriangles), true);
     finish(document, organ.file);
   }
