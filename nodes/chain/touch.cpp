@@ -18,6 +18,15 @@ MFVec3f& RestCoord::rest() {
 
 Touch* TouchInput::asTouch(Field* field) { return dynamic_cast<Touch*>(field); }
 
+void TouchInput::update() {
+  std::vector<int> pairs;  // a field may be routed to itself
+  forEach([&](Touch& touch) {
+    const auto& part = touch.getValue();
+    pairs.insert(pairs.end(), part.begin(), part.end());
+  });
+  value = std::move(pairs);
+}
+
 bool TouchInput::acceptsInput(const Field& from, std::size_t, std::string& why) const {
   if (dynamic_cast<const Touch*>(&from) != nullptr || from.getOwner() == getOwner()) return true;
   why = "touch or rigid_touch of a RotTransform";

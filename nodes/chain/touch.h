@@ -23,7 +23,7 @@ class Touch;
 
 /// Takes contacts, kept apart by the RotTransform they come from; as a value their pairs, one source after
 /// the other.
-class TouchInput : public JoinedField<MFInt32> {
+class TouchInput : public MFInt32 {
  public:
   template <class Visit>
   void forEach(Visit visit) const {
@@ -32,6 +32,7 @@ class TouchInput : public JoinedField<MFInt32> {
   }
 
  protected:
+  void update() override;
   bool acceptsInput(const Field& from, std::size_t index, std::string& why) const override;
 
  private:

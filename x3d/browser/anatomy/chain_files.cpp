@@ -109,7 +109,8 @@ class ChainWriter {
     const auto node = addOrgan(document, organ, mesh, false);
     const auto tendon = tendonOf(diaphragm, mesh);
     maker_.set<MFInt32>(node, "rigid_points", tendon);
-    maker_.set<MFInt32>(node, "dome", {middleOf(mesh, tendon)});
+    // All of it, not one point of it: the ribs pull harder than the links to one point allow.
+    maker_.set<MFInt32>(node, "dome", tendon);
     maker_.set<SFVec3f>(node, "domeTravel", Vec3f(0, -kDomeTravel, 0));
     document.routes.push_back({organ.timeSensor, "time", "deform", "inflation"});
     finish(document, organ.file);
@@ -138,16 +139,6 @@ class ChainWriter {
         tendon.push_back(static_cast<std::int32_t>(i));
     }
     return tendon;
-  }
-
-  static std::int32_t middleOf(const TriangleMesh& mesh, const std::vector<std::int32_t>& points) {
-    const auto at = [&](std::int32_t i) { return mesh.points[static_cast<std::size_t>(i)]; };
-    Vec3f sum = Vec3f::Zero();
-    for (const auto i : points) sum += at(i);
-    const Vec3f middle = sum / static_cast<float>(points.size());
-    return *std::min_element(points.begin(), points.end(), [&](std::int32_t a, std::int32_t b) {
-      return (at(a) - middle).norm() < (at(b) - middle).norm();
-    });
   }
 
   static constexpr int kLastRib = 11;
