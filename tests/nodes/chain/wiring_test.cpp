@@ -60,7 +60,9 @@ TEST(ChainWiring, ContactsArePairsOfNearPoints) {
 }
 
 TEST(ChainWiring, TheSecondDistanceMakesRigid) {
-  const auto scene = chainSceneOf(kNearRib + kSheet + contact("TOUCH", "NEAR", "0.2 1.2 -100 100 -100"));
+  const auto scene = chainSceneOf(kNearRib + kSheet + contact("TOUCH", "NEAR", "0.2" + kAll));
+  EXPECT_EQ(sheetPoint(*scene, 1), Vec3f(1, 0, 0));
+  scene->set("TOUCH.dist=0.2 1.2 -100 100 -100");
   EXPECT_THAT(valueOf<MFInt32>(*scene, "TOUCH.rigid_touch"), ElementsAre(1, 0, 1, 1, 1, 3));
   inflate(*scene);
   const Vec3f moved = sheetPoint(*scene, 1) - Vec3f(1, 0, 0);
@@ -101,6 +103,12 @@ TEST(ChainWiring, ContactsFollowTheirLimits) {
   EXPECT_THAT(valueOf<MFInt32>(*scene, "TOUCH.touch"), ElementsAre(1, 1, 1, 3)) << "least x";
 }
 
+/// A second organ, whose first point lies 0.1 below the sheet's second.
+const std::string kLung =
+    "<DeformableShape2 DEF='LUNG'><ChainmailDeformer stretchFactor='1000' shearFactor='1000'/>"
+    "<IndexedTriangleSet index='0 1 2'><Coordinate DEF='LUNG COORD' point='1 -0.1 0  4 0 0  4 0 1'/>"
+    "</IndexedTriangleSet></DeformableShape2><RotTransform DEF='D_LUNG' dist='0.25 0 -100 100 -100'/>";
+
 std::string twoRibs(bool swapped) {
   const std::string near = contact("TOUCH_NEAR", "NEAR", "0.2" + kAll);
   const std::string far = contact("TOUCH_FAR", "FAR", "0.4" + kAll);
@@ -118,6 +126,22 @@ TEST(ChainWiring, SourcesAreKeptApart) {
   scene->set("FAR.inflation=1");
   EXPECT_EQ(sheetPoint(*scene, 1), Vec3f(1, 0, 0));
   EXPECT_LT((sheetPoint(*scene, 0) - Vec3f(-0.3f, -0.3f, 0)).norm(), 1e-6f);
+}
+
+TEST(ChainWiring, ARibThatTouchesTwoOrgansMovesEachByItsOwnContacts) {
+  const auto scene = chainSceneOf(
+      kNearRib + kSheet + kLung + route("NEAR COORD", "point", "D_LUNG", "coord1") +
+      route("LUNG COORD", "point", "D_LUNG", "coord2") + route("D_LUNG", "touch", "NEAR", "touch") +
+      route("D_LUNG", "touch", "LUNG", "touch_point_to_update") +
+      route("NEAR", "rib_points", "LUNG", "points_to_follow") + contact("TOUCH", "NEAR", "1.2" + kAll));
+  EXPECT_EQ(valueOf<MFVec3f>(*scene, "NEAR.rib_points").size(), 4u)
+      << "one for the lung, three for the sheet";
+  EXPECT_EQ(toldBy(*scene), "");
+  inflate(*scene);
+  const auto lung = valueOf<MFVec3f>(*scene, "LUNG.deformedCoord");
+  EXPECT_LT((lung[0] - Vec3f(-0.1f, 0.8f, 0)).norm(), 1e-6f);
+  EXPECT_EQ(lung[1], Vec3f(4, 0, 0)) << "no contact of the lung's";
+  EXPECT_LT((sheetPoint(*scene, 3) - Vec3f(-0.1f, 0.9f, 1)).norm(), 1e-6f);
 }
 
 TEST(ChainWiring, TheOrderOfRoutesDoesNotMatter) {
@@ -139,12 +163,6 @@ TEST(ChainWiring, NobodyLooksNothingIsSolved) {
   sheetPoint(*scene, 0);
   EXPECT_EQ(solveCounter(), before + 1);
 }
-
-/// A second organ, whose first point lies 0.1 below the sheet's second.
-const std::string kLung =
-    "<DeformableShape2 DEF='LUNG'><ChainmailDeformer stretchFactor='1000' shearFactor='1000'/>"
-    "<IndexedTriangleSet index='0 1 2'><Coordinate DEF='LUNG COORD' point='1 -0.1 0  4 0 0  4 0 1'/>"
-    "</IndexedTriangleSet></DeformableShape2><RotTransform DEF='D_LUNG' dist='0.2 0 -100 100 -100'/>";
 
 TEST(ChainWiring, ALungFollowsTheDiaphragm) {
   for (const std::string k : {"", "2"}) {
