@@ -64,20 +64,29 @@ TouchInput* DeformableShape2::contactsOf(const Field& field) {
   return &field == &coord_to_lung2 ? &coord2 : nullptr;
 }
 
+namespace {
+
+/// The contacts whose points a field holds; null when it holds none.
+TouchInput* contactsIn(const Field& points) {
+  auto* leader = dynamic_cast<Leader*>(points.getOwner());
+  return leader != nullptr ? leader->contactsOf(points) : nullptr;
+}
+
+}  // namespace
+
 void DeformableShape2::gatherContacts() {
   followers_.clear();
   points_to_follow.upToDate();
   touch_point_to_update.upToDate();
   for (Field* points : points_to_follow.getRoutesIn()) {
-    auto* leader = dynamic_cast<Leader*>(points->getOwner());
-    TouchInput* contacts = leader != nullptr ? leader->contactsOf(*points) : nullptr;
-    if (contacts == nullptr) {
-      context().warn(*this,
-                     "points_to_follow: " + points->getFullName() + " is no rib_points or coord_to_lung");
-    } else {
+    if (auto* contacts = contactsIn(*points)) {
       gatherFollowers(*points, *contacts);
+    } else {
+      context().warn(*this, fmt::format("points_to_follow: {} is no rib_points or coord_to_lung",
+                                        points->getFullName()));
     }
   }
+  tellUnled();
   // The nearest comes last, and counts.
   std::sort(followers_.begin(), followers_.end(), [](const Follower& a, const Follower& b) {
     const auto key = [](const Follower& f) {
@@ -88,6 +97,19 @@ void DeformableShape2::gatherContacts() {
   for (const auto& follower : followers_) drive(follower.point, follower.target);
   moveDome();
   pleura::DeformableShape2::gatherContacts();
+}
+
+void DeformableShape2::tellUnled() {
+  touch_point_to_update.forEach([&](Touch& touch) {
+    const auto& sources = points_to_follow.getRoutesIn();
+    const bool isLed = std::any_of(sources.begin(), sources.end(), [&](const Field* points) {
+      const auto* contacts = contactsIn(*points);
+      return contacts != nullptr && touch.routesTo(contacts);
+    });
+    if (!isLed)
+      context().warn(*this, fmt::format("touch_point_to_update: nothing in points_to_follow is moved by {}",
+                                        touch.getFullName()));
+  });
 }
 
 void DeformableShape2::moveDome() {
@@ -157,8 +179,8 @@ void DeformableShape2::onKey() {
   const Time now = context().time.getValue();
   isPaused_ = !isPaused_;
   SFTime& sent = isPaused_ ? pause_time : resume_time;
-  const SFTime& before = isPaused_ ? resume_time : pause_time;
-  sent.setValue(std::max(now, const_cast<SFTime&>(before).getValue() + kLater), id);
+  SFTime& before = isPaused_ ? resume_time : pause_time;
+  sent.setValue(std::max(now, before.getValue() + kLater), id);
 }
 
 }  // namespace pleura::chain

@@ -59,6 +59,8 @@ class DeformableShape2 : public pleura::DeformableShape2, public Leader {
     Vec3f target;
   };
   void gatherFollowers(Field& points, TouchInput& contacts);
+  /// Warns of contacts that name followers, but nobody whom they follow.
+  void tellUnled();
   void moveDome();
   void onKey();
 

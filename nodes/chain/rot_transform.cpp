@@ -30,7 +30,7 @@ void RotTransform::onInitialize() {
   for (Touch* found : {&touch, &rigid_touch})
     for (Field* input :
          {static_cast<Field*>(&coord1), static_cast<Field*>(&coord2), static_cast<Field*>(&dist)})
-      input->routeNoEvent(*found, id);
+      input->route(*found, id);
   touch.routeNoEvent(followed_);
   followed_.routeNoEvent(points);
 }

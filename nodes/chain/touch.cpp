@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ namespace pleura::chain {
 MFVec3f& RestCoord::rest() {
   if (routes_in.empty()) return *this;
   auto& source = static_cast<MFVec3f&>(*routes_in.front());
-  for (Field* mover : source.getRoutesIn())
+  for (const Field* mover : source.getRoutesIn())
     if (auto* organ = dynamic_cast<pleura::DeformableShape2*>(mover->getOwner())) return organ->origCoord;
   return source;
 }
@@ -19,18 +20,24 @@ MFVec3f& RestCoord::rest() {
 Touch* TouchInput::asTouch(Field* field) { return dynamic_cast<Touch*>(field); }
 
 void TouchInput::update() {
-  std::vector<int> pairs;  // a field may be routed to itself
+  value.clear();
   forEach([&](Touch& touch) {
+    if (&touch == this) return;
     const auto& part = touch.getValue();
-    pairs.insert(pairs.end(), part.begin(), part.end());
+    value.insert(value.end(), part.begin(), part.end());
   });
-  value = std::move(pairs);
 }
 
 bool TouchInput::acceptsInput(const Field& from, std::size_t, std::string& why) const {
-  if (dynamic_cast<const Touch*>(&from) != nullptr || from.getOwner() == getOwner()) return true;
+  if (dynamic_cast<const Touch*>(&from) != nullptr) return true;
   why = "touch or rigid_touch of a RotTransform";
   return false;
+}
+
+bool Touch::acceptsInput(const Field& from, std::size_t index, std::string& why) const {
+  auto& node = static_cast<RotTransform&>(*getOwner());
+  const bool isCompared = &from == &node.coord1 || &from == &node.coord2 || &from == &node.dist;
+  return isCompared || TouchInput::acceptsInput(from, index, why);
 }
 
 void Touch::update() {
@@ -38,13 +45,12 @@ void Touch::update() {
   forEach([&](Touch&) { isGiven = true; });
   if (isGiven) return TouchInput::update();
   auto& node = static_cast<RotTransform&>(*getOwner());
-  if (node.coord1.getRoutesIn().empty() && node.coord2.getRoutesIn().empty()) return;
   MFVec3f& rest1 = node.coord1.rest();
   MFVec3f& rest2 = node.coord2.rest();
   const auto& object1 = rest1.getValue();
   const auto& object2 = rest2.getValue();
   const std::array stamps{rest1.getStamp(), rest2.getStamp(), node.dist.getStamp()};
-  if (stamps == stamps_) return;
+  if (stamps == stamps_ || (object1.empty() && object2.empty())) return;
   stamps_ = stamps;
   find(object1, object2);
 }
@@ -55,7 +61,7 @@ void Touch::find(const std::vector<Vec3f>& object1, const std::vector<Vec3f>& ob
   found_ = {};
   const auto& dist = node.dist.getValue();
   if (dist.size() != 5 || !std::all_of(dist.begin(), dist.end(), [](float d) { return std::isfinite(d); }))
-    return node.tell(fmt::format("dist: five numbers are expected, not {}", dist.size()));
+    return node.tell("dist: five finite numbers are expected");
   const float reach = dist[distance_];
   found_.contacts = nearestContacts(object1, object2, {dist[2], dist[3], dist[4]}, reach);
   if (found_.contacts.empty() && distance_ == 0)

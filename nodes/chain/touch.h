@@ -59,6 +59,7 @@ class Touch : public TouchInput {
 
  private:
   void update() override;
+  bool acceptsInput(const Field& from, std::size_t index, std::string& why) const override;
   void find(const std::vector<Vec3f>& object1, const std::vector<Vec3f>& object2);
 
   std::size_t distance_;

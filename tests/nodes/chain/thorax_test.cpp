@@ -48,6 +48,7 @@ float farthestFromFollowed(Scene& scene, const std::string& touch, const std::st
   const auto now = shape(scene, organ);
   EXPECT_GT(pairs.size(), 0u) << touch;
   EXPECT_EQ(followed.size(), pairs.size() / 2) << "one contact node a rib";
+  if (followed.size() != pairs.size() / 2) return INFINITY;
   float farthest = 0;
   for (std::size_t k = 0; k < followed.size(); ++k) {
     const auto first = static_cast<std::size_t>(pairs[2 * k]),

@@ -92,6 +92,17 @@ TEST(ChainWiring, ContactsAreTakenAtRestWheneverTheyAreAskedFor) {
   EXPECT_EQ(sheetPoint(*scene, 1), Vec3f(1, 0, 0)) << "exhale returns to rest";
 }
 
+TEST(ChainWiring, PointsAreTakenAsWrittenOrFromTheOrganItself) {
+  const auto scene = chainSceneOf(kNearRib + kSheet + contact("TOUCH", "NEAR", "0.2" + kAll) +
+                                  "<RotTransform DEF='OWN' dist='0.2 0 -100 100 -100' coord1='1 0.1 0'/>" +
+                                  route("SHEET", "deformedCoord", "OWN", "coord2") +
+                                  "<RotTransform DEF='WRITTEN' dist='0.2 0 -100 100 -100' coord1='1 0.1 0' "
+                                  "coord2='9 9 9 1 0 0'/>");
+  inflate(*scene);
+  EXPECT_THAT(valueOf<MFInt32>(*scene, "OWN.touch"), ElementsAre(0, 1)) << "at rest";
+  EXPECT_THAT(valueOf<MFInt32>(*scene, "WRITTEN.touch"), ElementsAre(0, 1));
+}
+
 TEST(ChainWiring, ContactsFollowTheirLimits) {
   const auto scene = chainSceneOf(kNearRib + kSheet + contact("TOUCH", "NEAR", "0.2" + kAll));
   EXPECT_THAT(valueOf<MFInt32>(*scene, "TOUCH.touch"), ElementsAre(1, 1));
@@ -201,7 +212,7 @@ TEST(ChainWiring, FaultsAreToldWithNodeAndField) {
     return toldBy(*scene);
   };
   EXPECT_THAT(told(kNearRib + kSheet + contact("TOUCH", "NEAR", "0.2 1")),
-              HasSubstr("TOUCH: dist: five numbers are expected, not 2"));
+              HasSubstr("TOUCH: dist: five finite numbers are expected"));
   EXPECT_THAT(told(kNearRib + kSheet + contact("TOUCH", "NEAR", "0.02" + kAll)),
               HasSubstr("TOUCH: dist: no point of coord2 is within 0.02 of one of coord1"));
   EXPECT_THAT(told(kNearRib + kSheet + route("NEAR COORD", "point", "SHEET", "points_to_follow")),
@@ -210,6 +221,9 @@ TEST(ChainWiring, FaultsAreToldWithNodeAndField) {
       told(kNearRib + kSheet + route("SHEET", "rigid_points", "SHEET", "dome") +
            route("SHEET", "dome", "NEAR", "touch")),
       HasSubstr("route SHEET.dome TO NEAR.touch: MFInt32 sent where touch or rigid_touch of a RotTransform"));
+  EXPECT_THAT(told(kNearRib + kSheet + "<RotTransform DEF='TOUCH'/>" +
+                   route("TOUCH", "touch", "SHEET", "touch_point_to_update")),
+              HasSubstr("SHEET: touch_point_to_update: nothing in points_to_follow is moved by TOUCH.touch"));
   const auto scene = chainSceneOf(kSheet);
   scene->set("SHEET.dome=4");
   sheetPoint(*scene, 0);
@@ -222,6 +236,21 @@ TEST(ChainWiring, ContactsRoutedInACircleEnd) {
                    route("B", "touch", "A", "touch") + route("A", "touch", "A", "touch"));
   scene->set("A.dist=1 2 3 4 5");
   EXPECT_THAT(valueOf<MFInt32>(*scene, "A.touch"), ElementsAre());
+}
+
+TEST(ChainWiring, ContactsWithACopyOfTheMovedShapeEnd) {
+  const auto scene = chainSceneOf(
+      kNearRib + kSheet + "<Shape><PointSet><Coordinate DEF='COPY'/></PointSet></Shape>" +
+      route("SHEET COORD", "point", "COPY", "point") + "<RotTransform DEF='T' dist='0.2" + kAll + "'/>" +
+      route("NEAR COORD", "point", "T", "coord1") + route("COPY", "point", "T", "coord2") +
+      route("T", "touch", "NEAR", "touch") + route("T", "touch", "SHEET", "touch_point_to_update") +
+      route("NEAR", "rib_points", "SHEET", "points_to_follow"));
+  for (int k = 0; k <= 4; ++k) {
+    scene->set("NEAR.inflation=" + std::to_string(0.25 * k));
+    EXPECT_TRUE(sheetPoint(*scene, 1).allFinite());
+    valueOf<MFInt32>(*scene, "T.touch");
+    valueOf<MFVec3f>(*scene, "NEAR.rib_points");
+  }
 }
 
 TEST(ChainWiring, BothLibrariesInOneSceneAreAFault) {

@@ -57,7 +57,7 @@ class ChainWriter {
   }
 
   NodePtr shape(const TriangleMesh& mesh, Tissue tissue, const std::string& coordinate = {}) {
-    const auto node = maker_.make("Shape");
+    auto node = maker_.make("Shape");
     maker_.put(node, "appearance", appearanceOf(maker_, tissue));
     maker_.put(node, "geometry", triangleSet(maker_, mesh, true, kPerCentimetre, coordinate));
     return node;
@@ -86,7 +86,7 @@ class ChainWriter {
     maker_.set<SFFloat>(deformer, "stretchFactor", organ.chainmail.y());
     maker_.set<SFFloat>(deformer, "shearFactor", organ.chainmail.z());
     maker_.set<SFInt32>(deformer, "smoothing", organ.smoothing);
-    const auto node = maker_.make("DeformableShape2", "deform");
+    auto node = maker_.make("DeformableShape2", "deform");
     maker_.put(node, "appearance", appearanceOf(maker_, organ.tissue));
     maker_.put(node, "geometry", triangleSet(maker_, mesh, isSolid, kPerCentimetre, kCoordinate));
     maker_.put(node, "deformer", deformer);

@@ -20,7 +20,7 @@ NodePtr triangleSet(const NodeMaker& maker, const TriangleMesh& mesh, bool isSol
     for (int k = 0; k < 3; ++k) index.push_back(triangle[k]);
   const auto coordinate = maker.make("Coordinate", def);
   maker.set<MFVec3f>(coordinate, "point", points);
-  const auto geometry = maker.make("IndexedTriangleSet");
+  auto geometry = maker.make("IndexedTriangleSet");
   maker.set<MFInt32>(geometry, "index", index);
   maker.set<SFBool>(geometry, "solid", isSolid);
   maker.put(geometry, "coord", coordinate);
