@@ -11,7 +11,7 @@ namespace pleura::chain {
 
 MFVec3f& RestCoord::rest() {
   if (routes_in.empty()) return *this;
-  auto& source = static_cast<MFVec3f&>(*routes_in.front());
+  auto& source = static_cast<MFVec3f&>(*routes_in[0]);
   for (const Field* mover : source.getRoutesIn())
     if (auto* organ = dynamic_cast<pleura::DeformableShape2*>(mover->getOwner())) return organ->origCoord;
   return source;
