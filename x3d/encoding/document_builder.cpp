@@ -146,8 +146,19 @@ void DocumentBuilder::setField(Node& node, const Attribute& attribute, std::size
   const auto where = [&](std::size_t offset) {
     return source_.attributeValue(source_.tagBefore(tag), attribute.name) + offset;
   };
+  Field& field = declared->of(node);
+  const bool isBare = declared->type == FieldType::MFString &&
+                      attribute.value.find('"') == std::string_view::npos &&
+                      attribute.value.find_first_not_of(" \t\n\r") != std::string_view::npos;
   try {
-    declared->of(node).setValueFromString(attribute.value, nullptr, scaleOf(*declared));
+    if (auto* strings = isBare ? dynamic_cast<MFString*>(&field) : nullptr) {
+      strings->setValue({std::string(attribute.value)});
+      if (told_.insert("bare string").second)
+        warn(where(0), fmt::format("{}.{}: read as one string; strings of a list stand in double quotes",
+                                   node.describe(), declared->name));
+      return;
+    }
+    field.setValueFromString(attribute.value, nullptr, scaleOf(*declared));
   } catch (const FieldParseError& bad) {
     error(where(bad.offset),
           fmt::format("{}.{}: expected {} ({}), found {}", node.describe(), declared->name, bad.what(),
