@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -67,9 +68,8 @@ TEST(ReadFiles, EveryByteMayBeWrong) {
 }
 
 TEST(ReadFiles, AFaultHasItsPlaceWhateverTheLineEnds) {
-  for (const std::string end : {"\n", "\r\n"}) {
-    const auto scene =
-        ReadScene::ofText("<Scene>" + end + "<Group" + end + "\tDEF='G'/>" + end + " <Box></Bax>");
+  for (const char* end : {"\n", "\r\n"}) {
+    const auto scene = ReadScene::ofText(fmt::format("<Scene>{0}<Group{0}\tDEF='G'/>{0} <Box></Bax>", end));
     ASSERT_THAT(scene.said(), SizeIs(testing::Ge(1U)));
     EXPECT_THAT(scene.said()[0], HasSubstr("s.x3d:4:13: error: XML: Opening and ending tag mismatch"));
   }
