@@ -14,6 +14,7 @@ template <class T, FieldType kType>
 class MField : public Field {
  public:
   using value_type = std::vector<T>;
+  using value_field = MField;  // as SField's
   static constexpr FieldType kFieldType = kType;
 
   FieldType getType() const override { return kType; }

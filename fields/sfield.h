@@ -14,6 +14,7 @@ template <class T, FieldType kType>
 class SField : public Field {
  public:
   using value_type = T;
+  using value_field = SField;  // what a class derived from this one is, but for how it gets its value
   static constexpr FieldType kFieldType = kType;
 
   SField() {

@@ -92,12 +92,25 @@ class NodeType {
   NodePtr (*make_)() = nullptr;
 };
 
+/// What does not depend on the member but only on its field's type: compiled once for all such members.
+template <class ValueField>
+void declareValue(NodeField& declared, const typename ValueField::value_type& byDefault) {
+  declared.type = ValueField::kFieldType;
+  declared.setDefault = [byDefault](Field& field) {
+    static_cast<ValueField&>(field).setValue(byDefault, field.getOwner());
+  };
+  ValueField sample;
+  const std::string empty = sample.getValueAsString();
+  declared.setDefault(sample);
+  declared.defaultText = sample.getValueAsString();
+  if (declared.defaultText == empty) declared.setDefault = nullptr;
+}
+
 template <auto Member>
 NodeField& NodeType::field(std::string name, Access access,
                            const typename MemberOf<Member>::value_type& byDefault) {
-  using FieldClass = typename MemberOf<Member>::field;
   NodeField& declared = add(std::move(name));
-  declared.type = FieldClass::kFieldType;
+  declareValue<typename MemberOf<Member>::field::value_field>(declared, byDefault);
   declared.access = access;
   declared.of = [](Node& node) -> Field& {
     using Class = typename MemberOf<Member>::node;
@@ -107,13 +120,6 @@ NodeField& NodeType::field(std::string name, Access access,
       return dynamic_cast<Class&>(node).*Member;  // of a base beside Node, as X3DBoundedObject
     }
   };
-  declared.setDefault = [byDefault](Field& field) {
-    static_cast<FieldClass&>(field).setValue(byDefault, field.getOwner());
-  };
-  FieldClass sample;
-  declared.setDefault(sample);
-  declared.defaultText = sample.getValueAsString();
-  if (declared.defaultText == FieldClass().getValueAsString()) declared.setDefault = nullptr;
   return declared;
 }
 
