@@ -41,6 +41,7 @@ TEST_F(BadInput, WhatIsNoSceneIsAFaultForEveryCommand) {
     expectStatus(kFault, {"check", file});
     expectStatus(kFault, {"run", file, "--for", "0.1"});
     expectStatus(kFault, {"render", file, "-o", path("x.png")});
+    expectStatus(kFault, {"play", file});
     expectStatus(kFault, {"convert", file, "-o", path("x.x3d")});
   }
 }
@@ -106,6 +107,12 @@ TEST_F(BadInput, WhereNothingCanBeWrittenIsAFault) {
 TEST_F(BadInput, AnOverlongOrStrangeNameIsAFault) {
   expectStatus(kFault, {"check", std::string(5000, 'x')});
   expectStatus(kFault, {"run", "\xff\xfe\n", "--for", "0.1"});
+}
+
+TEST_F(BadInput, PlayWithoutADisplaySaysSo) {
+  const Outcome outcome = runProgram({"play", good_});
+  EXPECT_EQ(outcome.status, kFault);
+  EXPECT_THAT(outcome.output, HasSubstr("no window: X11: The DISPLAY environment variable is missing"));
 }
 
 TEST_F(BadInput, AllFilesAreCheckedAndTheWorstCounts) {

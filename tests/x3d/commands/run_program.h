@@ -10,7 +10,7 @@ struct Outcome {
   std::string output;  // of both streams
 };
 
-/// Runs the built program with these arguments; ended after 60 s.
+/// Runs the built program with these arguments and without a display; ended after 60 s.
 Outcome runProgram(const std::vector<std::string>& arguments);
 
 }  // namespace pleura
