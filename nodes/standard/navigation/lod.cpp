@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <pleura/nodes/core/node_type.h>
 #include <pleura/nodes/standard/navigation/lod.h>
 
@@ -18,6 +20,20 @@ void LOD::declare(NodeType& type) {
   type.field<&LOD::level_changed>("level_changed", outputOnly, 0)
       .atLeast(0)
       .means("number of the child that is shown");
+}
+
+void LOD::seeFrom(const Vec3f& viewer) {
+  const float d = (viewer - center.getValue()).norm();
+  const auto& limits = range.getValue();
+  const auto level = std::upper_bound(limits.begin(), limits.end(), d) - limits.begin();
+  const auto last = std::max<std::ptrdiff_t>(std::ssize(children.getValue()) - 1, 0);
+  level_changed.setValueIfChanged(static_cast<std::int32_t>(std::min(level, last)), id);
+}
+
+std::span<const NodePtr> LOD::shown() {
+  const std::span<const NodePtr> all = children.getValue();
+  const auto level = static_cast<std::size_t>(level_changed.getValue());
+  return level < all.size() ? all.subspan(level, 1) : std::span<const NodePtr>();
 }
 
 }  // namespace pleura

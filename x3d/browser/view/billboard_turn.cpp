@@ -1,4 +1,5 @@
 #include <pleura/x3d/browser/view/billboard_turn.h>
+#include <pleura/x3d/browser/view/camera.h>
 
 namespace pleura {
 
@@ -8,7 +9,7 @@ Matrix4f billboardTurn(Billboard& node, const Matrix4f& toWorld, const Matrix4f&
   const Matrix3f axes = localToView.topLeftCorner<3, 3>();
   if (std::abs(axes.determinant()) < 1e-12f) return turn;
   const Matrix3f fromView = axes.inverse();
-  const Vec3f viewer = fromView * -localToView.topRightCorner<3, 1>();
+  const Vec3f viewer = viewerIn(localToView);
   const Vec3f axis = node.axisOfRotation.getValue();
   if (axis.norm() == 0) {
     // faces the screen, its +Y along the viewer's up

@@ -45,6 +45,12 @@ PlacedCamera placedCamera(X3DViewpointNode& node, const Matrix4f& toWorld, const
   return placed;
 }
 
+Vec3f viewerIn(const Matrix4f& toView) {
+  const Matrix3f axes = toView.topLeftCorner<3, 3>();
+  if (std::abs(axes.determinant()) < 1e-12f) return Vec3f::Zero();
+  return axes.inverse() * -toView.topRightCorner<3, 1>();
+}
+
 PlacedCamera cameraFor(const Eigen::AlignedBox3f& box) {
   PlacedCamera placed;
   placed.camera.fieldOfView = std::numbers::pi_v<float> / 4;

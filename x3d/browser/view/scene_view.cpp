@@ -2,6 +2,7 @@
 
 #include <pleura/nodes/standard/environmental_effects/background.h>
 #include <pleura/nodes/standard/grouping/transform.h>
+#include <pleura/nodes/standard/navigation/lod.h>
 #include <pleura/nodes/standard/navigation/navigation_info.h>
 #include <pleura/x3d/browser/view/billboard_turn.h>
 #include <pleura/x3d/browser/view/light.h>
@@ -45,6 +46,7 @@ render::DrawList& SceneView::update() {
   list_.lights.clear();
   list_.overlay.clear();
   globalLights_ = 0;
+  setCamera();  // which billboards and levels of detail look at; its depth range waits for the new box
   box_.setEmpty();
   visitAll(scene_.document().nodes, Matrix4f::Identity(), 0);
   for (auto& item : list_.items) item.lights |= globalLights_;
@@ -99,6 +101,7 @@ void SceneView::visit(const NodePtr& node, const Matrix4f& toWorld, std::uint32_
     if (shape->visible.getValue()) addShape(*shape, toWorld, lights);
     return;
   }
+  if (auto* levels = dynamic_cast<LOD*>(node.get())) levels->seeFrom(viewerIn(list_.camera.view * toWorld));
   const auto children = inside(*node);
   if (children.empty()) return;
   Matrix4f below = placed(*node, toWorld);
