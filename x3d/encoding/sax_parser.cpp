@@ -104,6 +104,9 @@ void parseXml(const SourceText& source, ElementHandler& handler, Diagnostics& di
   // Without NOENT "&amp;" would come as "&#38;"; a file's own entities are not known, and so not expanded.
   xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_BIG_LINES | XML_PARSE_NOENT);
   parser->userData = &parse;
+  // libxml2 compares each attribute of an element with every other: names without end would take for ever.
+  constexpr std::size_t kBytesOfNames = 1 << 17;
+  xmlDictSetLimit(parser->dict, kBytesOfNames);
   xmlParseDocument(parser.get());
 }
 
