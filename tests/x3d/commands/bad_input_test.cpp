@@ -10,8 +10,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int kDone = 0, kFault = 1, kUsage = 2;
-
 /// The program says something and exits with this status.
 void expectStatus(int status, const std::vector<std::string>& arguments) {
   std::string line = "pleura";

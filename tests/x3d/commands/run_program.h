@@ -5,6 +5,9 @@
 
 namespace pleura {
 
+/// What the program ends with: all is well, the scene or the data is at fault, wrong usage.
+constexpr int kDone = 0, kFault = 1, kUsage = 2;
+
 struct Outcome {
   int status = -1;     // as the program exited; 128 + the signal that ended it; 124 when it took too long
   std::string output;  // of both streams
