@@ -85,6 +85,7 @@ void initializeLibxml() {
 void parseXml(const SourceText& source, ElementHandler& handler, Diagnostics& diagnostics, int deepest) {
   initializeLibxml();
   const std::string& text = source.text();
+  if (text.empty()) return diagnostics.error({source.name()}, "is empty");
   if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     return diagnostics.error({source.name()}, "larger than 2 GB");
 
