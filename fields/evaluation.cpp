@@ -1,5 +1,6 @@
 #include <pleura/fields/counters.h>
 #include <pleura/fields/field.h>
+#include <pleura/fields/propagation.h>
 
 namespace pleura {
 
@@ -32,16 +33,21 @@ void Field::runUpdate() {
     ~Evaluating() { field.evaluating_ = false; }
   } const evaluating{*this};
   const Deeper deeper;
-  const Event pending = event;
+  const std::uint64_t begun = Propagation::lastStamp();
+  const std::uint64_t pending = event.stamp;
   if (inputsChanged_) {
     checkInputs();
     inputsChanged_ = false;
   }
-  unsettle(pending.sender);  // before update(), which may set what is upstream
   ++fieldCounters().updates;
   update();
-  if (observes_) forgetEvents(nullptr, pending.stamp);
-  if (event.stamp == pending.stamp) event.sender = nullptr;  // else it has changed again meanwhile
+  if (observes_) forgetEvents(nullptr, pending);
+  if (event.stamp > begun) return;  // it has changed again meanwhile
+  if (Field* const sender = event.sender; sender != nullptr && sender->settled_) {
+    if (Propagation::isPassedOver(*this, begun + 1)) return;
+    unsettle(sender);  // after update(), which has brought most of what is upstream up to date
+  }
+  event.sender = nullptr;
 }
 
 /// Depth first, inputs before what reads them, `this` left to the caller.

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -9,20 +7,6 @@
 #include <pleura/fields/propagation.h>
 
 namespace pleura {
-
-namespace {
-
-bool contains(const std::vector<Field*>& fields, const Field* field) {
-  return std::find(fields.begin(), fields.end(), field) != fields.end();
-}
-
-/// Searches from the back, where the destructor takes them.
-void remove(std::vector<Field*>& fields, const Field* field) {
-  const auto found = std::find(fields.rbegin(), fields.rend(), field);
-  if (found != fields.rend()) fields.erase(std::next(found).base());
-}
-
-}  // namespace
 
 Field::~Field() {
   while (!routes_out.empty()) unroute(*routes_out.back());
@@ -97,15 +81,15 @@ void Field::route(Field& to, NodeId id) {
 }
 
 void Field::unroute(Field& to) {
-  remove(routes_out, &to);
-  remove(to.routes_in, this);
+  routes_out.remove(&to);
+  to.routes_in.remove(this);
   to.inputsChanged_ = true;
   if (to.observes_) to.forgetEvents(this, to.event.stamp);
   if (to.event.sender == this) to.event.sender = nullptr;
 }
 
 bool Field::routesTo(const Field& to) const {
-  return routes_out.size() < to.routes_in.size() ? contains(routes_out, &to) : contains(to.routes_in, this);
+  return routes_out.size() < to.routes_in.size() ? routes_out.contains(&to) : to.routes_in.contains(this);
 }
 
 void Field::touch() {

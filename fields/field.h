@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <pleura/fields/access.h>
 #include <pleura/fields/field_declaration.h>
 #include <pleura/fields/field_type.h>
+#include <pleura/fields/route_list.h>
 #include <pleura/fields/values.h>
 
 namespace pleura {
@@ -73,8 +73,8 @@ class Field {
   void unroute(Field* to) { unroute(*to); }
   bool routesTo(const Field& to) const;
   bool routesTo(const Field* to) const { return routesTo(*to); }
-  const std::vector<Field*>& getRoutesIn() const { return routes_in; }
-  const std::vector<Field*>& getRoutesOut() const { return routes_out; }
+  const RouteList& getRoutesIn() const { return routes_in; }
+  const RouteList& getRoutesOut() const { return routes_out; }
 
   /// Grows whenever the value may have changed: read the value first, then compare with the number kept from
   /// before.
@@ -125,8 +125,8 @@ class Field {
     if (!canGet(access_) && id != owner_) refuseGet();
   }
 
-  std::vector<Field*> routes_in;   // in the order they were made; update() may rely on it
-  std::vector<Field*> routes_out;  // in the order they were made
+  RouteList routes_in;  // in the order they were made; update() may rely on it
+  RouteList routes_out;
   Event event;
 
  private:

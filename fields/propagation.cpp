@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <utility>
 
@@ -29,17 +28,11 @@ struct Propagation::Walk {
   }
 };
 
-std::uint64_t Propagation::nextStamp() {
-  static std::atomic<std::uint64_t> last{0};
-  return last.fetch_add(1, std::memory_order_relaxed) + 1;
-}
-
 void Propagation::start(Field& origin) {
   const std::uint64_t stamp = nextStamp();
   origin.event.stamp = stamp;
   if (origin.settled_) return;
-  Field* const* first = origin.routes_out.data();
-  walk({&origin, first, first + origin.routes_out.size(), true}, stamp);
+  walk({&origin, origin.routes_out.begin(), origin.routes_out.end(), true}, stamp);
   callObservers();
 }
 
@@ -50,8 +43,6 @@ void Propagation::start(Field& origin, Field* target) {
   callObservers();
 }
 
-/// Whether the event has passed over `field`, with all else that is below a settled field. What is found is
-/// noted in the stamps, so that no way up is gone twice.
 bool Propagation::isPassedOver(Field& field, std::uint64_t stamp) {
   const Field* above = field.event.sender;
   while (above != nullptr && above->settled_ && above->event.stamp < stamp) above = above->event.sender;
@@ -103,8 +94,7 @@ void Propagation::walk(Step step, std::uint64_t stamp) {
       } else {
         path.push_back(step);
       }
-      Field* const* out = to.routes_out.data();
-      step = {&to, out, out + to.routes_out.size(), true};
+      step = {&to, to.routes_out.begin(), to.routes_out.end(), true};
     }
     settle(*step.field, step.settled);
     if (path.size() == base) break;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include <pleura/fields/field.h>
@@ -18,6 +19,11 @@ class Propagation {
   static void start(Field& origin, Field* target);
   /// `field` is being destroyed and must not be called back.
   static void forget(const Field* field);
+  /// Of the last change made anywhere.
+  static std::uint64_t lastStamp() { return stamp_.load(std::memory_order_relaxed); }
+  /// Whether an event of this stamp or a later one has passed over `field`, with all else that is below a
+  /// settled field. What is found is noted in the stamps, so that no way up is gone twice.
+  static bool isPassedOver(Field& field, std::uint64_t stamp);
 
  private:
   struct Step {
@@ -27,13 +33,14 @@ class Propagation {
     bool settled;  // every target so far is out of date by way of `field`, with all that follows it
   };
   struct Walk;
-  static std::uint64_t nextStamp();
+  static std::uint64_t nextStamp() { return stamp_.fetch_add(1, std::memory_order_relaxed) + 1; }
   static void walk(Step step, std::uint64_t stamp);
   static void tellObserver(Field& from, Field& to, std::uint64_t stamp);
   static bool arrive(Field& from, Field& to, std::uint64_t stamp);
   static void settle(Field& field, bool settled);
-  static bool isPassedOver(Field& field, std::uint64_t stamp);
   static void callObservers();
+
+  static inline std::atomic<std::uint64_t> stamp_{0};
 };
 
 }  // namespace pleura

@@ -69,26 +69,25 @@ void DeformableShape2::takeRest() {
   if (solver == nullptr) return;
   const TriangleMesh& shape = rest();
   slot_.assign(shape.points.size(), -1);
-  solver->setRest(shape, rigid_points.getValue());
+  solver->setRest(shape, restRigid_);
 }
 
 void DeformableShape2::gatherContacts() {
   const auto& index = contactIndex.getValue();
   const auto& point = contactPoint.getValue();
-  driven_.clear();
-  targets_.clear();
-  for (std::size_t i = 0; i < std::min(index.size(), point.size()); ++i) {
-    if (index[i] < 0 || index[i] >= static_cast<int>(slot_.size())) continue;
-    int& slot = slot_[static_cast<std::size_t>(index[i])];
-    if (slot < 0) {
-      slot = static_cast<int>(driven_.size());
-      driven_.push_back(index[i]);
-      targets_.push_back(point[i]);
-    } else {
-      targets_[static_cast<std::size_t>(slot)] = point[i];
-    }
+  for (std::size_t i = 0; i < std::min(index.size(), point.size()); ++i) drive(index[i], point[i]);
+}
+
+void DeformableShape2::drive(int point, const Vec3f& target) {
+  if (point < 0 || point >= static_cast<int>(slot_.size())) return;
+  int& slot = slot_[static_cast<std::size_t>(point)];
+  if (slot >= 0) {
+    targets_[static_cast<std::size_t>(slot)] = target;
+    return;
   }
-  for (const int i : driven_) slot_[static_cast<std::size_t>(i)] = -1;
+  slot = static_cast<int>(driven_.size());
+  driven_.push_back(point);
+  targets_.push_back(target);
 }
 
 void DeformableShape2::takeTargets(std::vector<Vec3f>& positions) {
@@ -104,15 +103,19 @@ void DeformableShape2::deform(std::vector<Vec3f>& positions) {
   auto* solver = deformer.get();
   if (solver == nullptr) return;
   try {
-    const std::uint64_t stamp =
-        std::max({deformer.getStamp(), origCoord.getStamp(), rigid_points.getStamp()});
-    if (stamp != restStamp_ || !usable_) {
+    const std::uint64_t stamp = std::max(deformer.getStamp(), origCoord.getStamp());
+    const auto& rigid = rigidPoints();
+    if (stamp != restStamp_ || rigid != restRigid_ || !usable_) {
       restStamp_ = stamp;
+      restRigid_ = rigid;
       usable_ = false;
       takeRest();
       usable_ = true;
     }
+    driven_.clear();
+    targets_.clear();
     gatherContacts();
+    for (const int point : driven_) slot_[static_cast<std::size_t>(point)] = -1;
     ++solveCounter();
     if (driven_.size() == positions.size()) return takeTargets(positions);
     solver->deform(driven_, targets_, positions);

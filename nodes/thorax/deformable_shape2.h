@@ -21,7 +21,8 @@ class DeformableShape2 : public X3DShapeNode {
   JoinedField<MFInt32> contactIndex;
   JoinedField<MFVec3f> contactPoint;
 
-  class Deformed : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, MFInt32, SFNode, SFMatrix4f>>> {
+  class Deformed
+      : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, MFInt32, SFNode, SFMatrix4f, SFVec3f, SFFloat>>> {
     void update() override { static_cast<DeformableShape2*>(getOwner())->deform(value); }
   };
   Deformed deformedCoord;
@@ -43,17 +44,23 @@ class DeformableShape2 : public X3DShapeNode {
 
  protected:
   void onInitialize() override;
+  /// Says by drive() where points are moved to; called before each solve.
+  virtual void gatherContacts();
+  /// Moves a point of the surface; of two targets for one point the later counts.
+  void drive(int point, const Vec3f& target);
+  /// The points that keep their places to one another.
+  virtual const std::vector<int>& rigidPoints() { return rigid_points.getValue(); }
 
  private:
   void deform(std::vector<Vec3f>& positions);
   void takeRest();
   /// Every point is held: there is nothing left for the deformer to do.
   void takeTargets(std::vector<Vec3f>& positions);
-  void gatherContacts();
 
   TriangleMesh rest_;
   std::array<std::uint64_t, 2> meshStamps_{};
   std::uint64_t restStamp_ = 0;
+  std::vector<int> restRigid_;
   bool usable_ = false;
   std::vector<int> driven_;
   std::vector<Vec3f> targets_;

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include <pleura/nodes/core/node_type.h>
+#include <pleura/nodes/standard/time/time_sensor.h>
 #include <pleura/nodes/thorax/motion/rib_motion.h>
 #include <pleura/nodes/thorax/rot_transform.h>
 
@@ -15,7 +16,18 @@ Rotation turned(const Vec3f& angles, double inflation) {
   return Rotation(Eigen::Quaternionf(ribRotation(rib, inflation).cast<float>()));
 }
 
+/// startTime + elapsedTime: what the sensor's time would be, had it never paused.
+Time unpaused(SFTime& time) {
+  auto* sensor = dynamic_cast<TimeSensor*>(time.getOwner());
+  if (sensor == nullptr || &time != &sensor->time) return time.getValue();
+  return sensor->startTime.getValue() + sensor->elapsedTime.getValue();
+}
+
 }  // namespace
+
+double sineInflation(SFTime& time, double frequency) {
+  return (1 + std::sin(2 * std::numbers::pi * frequency * unpaused(time))) / 2;
+}
 
 void RotTransform::declare(NodeType& type) {
   Transform::declare(type);
@@ -55,9 +67,8 @@ void RotTransform::Turn::update() {
 void RotTransform::Rota::update() {
   // alpha'(t) = A_pump (1 + sin(2 pi f t)) / 2, beta'(t) = A_bucket (1 + sin(2 pi f t)) / 2
   auto& node = *static_cast<RotTransform*>(getOwner());
-  const double f = node.frequency.getValue();
-  const double t = static_cast<SFTime*>(routes_in[0])->getValue();
-  value = turned(node.angles.getValue(), (1 + std::sin(2 * std::numbers::pi * f * t)) / 2);
+  value = turned(node.angles.getValue(),
+                 sineInflation(static_cast<SFTime&>(*routes_in[0]), node.frequency.getValue()));
 }
 
 void RotTransform::Followed::update() {

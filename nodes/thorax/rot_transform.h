@@ -5,6 +5,10 @@
 
 namespace pleura {
 
+/// (1 + sin(2 pi f t)) / 2, f the frequency [1/s] and t the time [s]. Of a TimeSensor's `time` the pauses are
+/// taken off: the breath goes on from where it stood.
+double sineInflation(SFTime& time, double frequency);
+
 /// A rib: turns about its costovertebral joint (`center`), the pump handle about the left-right axis, then
 /// the bucket handle about the dorso-ventral axis, as far as the chest is inflated.
 class RotTransform : public Transform {

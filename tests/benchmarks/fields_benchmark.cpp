@@ -44,6 +44,39 @@ void chainSetAndGet(benchmark::State& state) {
 }
 BENCHMARK(chainSetAndGet)->Arg(10)->Arg(100)->Arg(1'000)->Arg(100'000)->Arg(1'000'000);
 
+/// The floor: objects in a list, marked one after the other and then evaluated by a virtual call each.
+class Bare {
+ public:
+  virtual ~Bare() = default;
+  Bare* from = nullptr;
+  Bare* to = nullptr;
+  bool isPending = false;
+  float value = 0;
+
+  virtual void update() { value = from->value; }
+};
+
+void bareChainSetAndGet(benchmark::State& state) {
+  std::vector<Bare> chain(static_cast<std::size_t>(state.range(0)) + 1);
+  for (std::size_t i = 1; i < chain.size(); ++i) {
+    chain[i - 1].to = &chain[i];
+    chain[i].from = &chain[i - 1];
+  }
+  for (auto _ : state) {
+    chain.front().value += 1;
+    for (Bare* below = chain.front().to; below != nullptr; below = below->to) below->isPending = true;
+    Bare* above = &chain.back();
+    while (above->isPending) above = above->from;
+    for (Bare* each = above->to; each != nullptr; each = each->to) {
+      each->update();
+      each->isPending = false;
+    }
+    benchmark::DoNotOptimize(chain.back().value);
+  }
+  reportPer(state, "per_hop", chain.size() - 1);
+}
+BENCHMARK(bareChainSetAndGet)->Arg(1'000)->Arg(1'000'000);
+
 void chainSetUnread(benchmark::State& state) {
   Chain chain(state);
   float value = 0;
@@ -132,7 +165,7 @@ void makeAndUnmakeRoute(benchmark::State& state) {
 }
 BENCHMARK(makeAndUnmakeRoute);
 
-/// Of a field in a chain: itself and its two lists of one route.
+/// A route stands within the two fields that it joins, or else in a list of each.
 void memory(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(SFFloat());
   state.counters["bytes_SFFloat"] = sizeof(SFFloat);

@@ -1,9 +1,15 @@
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <libxml/parser.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <pleura/nodes/standard/register.h>
 #include <pleura/x3d/browser/scene/scene.h>
@@ -12,7 +18,7 @@
 namespace pleura {
 namespace {
 
-/// A wavy sheet of 316 x 316 squares: 199,712 triangles, about 7 MB of X3D, in lines as exporters write them.
+/// A wavy sheet of 316 x 316 squares: 199,712 triangles, 6.4 MB of X3D, in lines as exporters write them.
 const std::string& largeScene() {
   static const std::string text = [] {
     constexpr int kSide = 316;
@@ -59,6 +65,26 @@ void libxml2Alone(benchmark::State& state) {
       state.SkipWithError("not read");
 }
 BENCHMARK(libxml2Alone)->Unit(benchmark::kMillisecond);
+
+/// `pleura check` on the same scene as a file: the whole process, and the most memory that it held at once.
+void checkCommand(benchmark::State& state) {
+  const auto file = std::filesystem::temp_directory_path() / "pleura_load_benchmark.x3d";
+  std::ofstream(file) << largeScene();
+  rusage used{};
+  for (auto _ : state) {
+    const pid_t child = fork();
+    if (child == 0) {
+      if (std::freopen("/dev/null", "w", stdout) != nullptr)
+        execl(PLEURA_PROGRAM, "pleura", "check", file.c_str(), nullptr);
+      _exit(127);
+    }
+    int status = 0;
+    if (wait4(child, &status, 0, &used) != child || status != 0) state.SkipWithError("not checked");
+  }
+  state.counters["peak_MB"] = static_cast<double>(used.ru_maxrss) * 1024 / 1e6;
+  std::filesystem::remove(file);
+}
+BENCHMARK(checkCommand)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace pleura

@@ -146,8 +146,19 @@ void DocumentBuilder::setField(Node& node, const Attribute& attribute, std::size
   const auto where = [&](std::size_t offset) {
     return source_.attributeValue(source_.tagBefore(tag), attribute.name) + offset;
   };
+  Field& field = declared->of(node);
+  const bool isBare = declared->type == FieldType::MFString &&
+                      attribute.value.find('"') == std::string_view::npos &&
+                      attribute.value.find_first_not_of(" \t\n\r") != std::string_view::npos;
   try {
-    declared->of(node).setValueFromString(attribute.value, nullptr, scaleOf(*declared));
+    if (auto* strings = isBare ? dynamic_cast<MFString*>(&field) : nullptr) {
+      strings->setValue({std::string(attribute.value)});
+      if (told_.insert("bare string").second)
+        warn(where(0), fmt::format("{}.{}: read as one string; strings of a list stand in double quotes",
+                                   node.describe(), declared->name));
+      return;
+    }
+    field.setValueFromString(attribute.value, nullptr, scaleOf(*declared));
   } catch (const FieldParseError& bad) {
     error(where(bad.offset),
           fmt::format("{}.{}: expected {} ({}), found {}", node.describe(), declared->name, bad.what(),
@@ -181,31 +192,31 @@ void DocumentBuilder::place(const Open& child) {
     return;
   }
   Node& into = *parent->node;
-  const std::size_t at = source_.tagBefore(child.tag);
+  const auto where = [&] { return source_.tagBefore(child.tag); };
   const NodeField* declared = into.type().find(child.containerField);
   Field* field = declared != nullptr ? &declared->of(into) : nullptr;
   auto* single = dynamic_cast<SFNode*>(field);
   auto* multi = dynamic_cast<MFNode*>(field);
   if (single == nullptr && multi == nullptr)
-    return error(at, fmt::format("{} has no field {} for a node: {} is left out", into.describe(),
-                                 child.containerField, child.node->describe()));
+    return error(where(), fmt::format("{} has no field {} for a node: {} is left out", into.describe(),
+                                      child.containerField, child.node->describe()));
   if (single != nullptr ? !single->admits(*child.node) : !multi->admits(*child.node))
-    return error(at, fmt::format("{}.{} takes no {}: left out", into.describe(), child.containerField,
-                                 child.node->type().name()));
+    return error(where(), fmt::format("{}.{} takes no {}: left out", into.describe(), child.containerField,
+                                      child.node->type().name()));
   const Extent extent = extents_[child.node.get()];
   Extent& grown = extents_[&into];
   const Extent wouldBe{std::max(grown.depth, extent.depth + 1), grown.nodes + extent.nodes};
   if (wouldBe.depth > reader_.limits_.depth || wouldBe.nodes > reader_.limits_.expandedNodes)
     return error(
-        at,
+        where(),
         fmt::format(
             "{}: with every USE counted the scene is too large or too deep ({} nodes, {} levels): left out",
             child.node->describe(), wouldBe.nodes, wouldBe.depth));
   grown = wouldBe;
   if (single != nullptr) {
     if (single->getValue(into.id))
-      warn(at, fmt::format("{}.{} has a node already: {} takes its place", into.describe(),
-                           child.containerField, child.node->describe()));
+      warn(where(), fmt::format("{}.{} has a node already: {} takes its place", into.describe(),
+                                child.containerField, child.node->describe()));
     single->setValue(child.node, into.id);
   } else {
     multi->push_back(child.node, into.id);

@@ -145,6 +145,47 @@ TEST(Breath, DoesNotDependOnHowOftenItIsTicked) {
   EXPECT_EQ(inflation(*often), inflation(*seldom));
 }
 
+TEST(Breath, AMillionStepsLaterARibIsWhereItWasInTheFirstBreath) {
+  const auto scene = sceneOf(
+      "<ImportLibrary library='\"thorax\"'/><Respiration DEF='BREATH' rate='15' depth='1'/>"
+      "<RotTransform DEF='RIB' angles='0.25 0.24 1' center='0.0157 0.1631 -0.0279' points='0.0375 0.1012 "
+      "0.0578'/>"
+      "<ROUTE fromNode='BREATH' fromField='inflation' toNode='RIB' toField='inflation'/>");
+  constexpr int kBreath = 1000, kSteps = 1'000'000;  // ticks
+  auto& points = dynamic_cast<MFVec3f&>(scene->field("RIB.rib_points"));
+  const Vec3f joint(0.0157f, 0.1631f, -0.0279f);
+  std::vector<Vec3f> first;
+  float drift = 0, stretch = 0;
+  for (int k = 0; k < kSteps; ++k) {
+    scene->tick(k * (kPeriod / kBreath));
+    const Vec3f tip = points.getValue()[0];
+    if (k < kBreath) first.push_back(tip);
+    const Vec3f& then = first[static_cast<std::size_t>(k % kBreath)];
+    drift = std::max(drift, (tip - then).norm());
+    stretch = std::max(stretch, std::abs((tip - joint).norm() - (first[0] - joint).norm()));
+  }
+  EXPECT_LT(drift, 1e-7) << "m from breath 1";
+  EXPECT_LT(stretch, 1e-7) << "m of the rib's length";
+}
+
+TEST(Breath, TenThousandPausesLoseNoTime) {
+  const auto scene = sceneOfABreath("depth='1'");
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> some(0.01, 0.5);
+  scene->tick(0);
+  double now = 0, breathed = 0;  // [s]
+  for (int i = 0; i < 10'000; ++i) {
+    const double breathing = some(random);
+    scene->tick(now += breathing);
+    breathed += breathing;
+    press(*scene, "p");
+    scene->tick(now += some(random));
+    press(*scene, "p");
+  }
+  const double breaths = breathed / kPeriod;
+  EXPECT_NEAR(valueOf<SFFloat>(*scene, "BREATH.phase"), breaths - std::floor(breaths), 1e-6);
+}
+
 TEST(Breath, AtRateZeroNothingMoves) {
   const auto scene = sceneOfABreath("rate='0'");
   for (int k = 0; k < 10; ++k) scene->tick(k);

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -66,6 +67,39 @@ TEST(ReadFiles, EveryByteMayBeWrong) {
       text[at] = wrong;
       EXPECT_LE(ReadScene::ofText(text).document.nodes.size(), 2u);
     }
+}
+
+TEST(ReadFiles, AFaultHasItsPlaceWhateverTheLineEnds) {
+  for (const char* end : {"\n", "\r\n"}) {
+    const auto scene = ReadScene::ofText(fmt::format("<Scene>{0}<Group{0}\tDEF='G'/>{0} <Box></Bax>", end));
+    ASSERT_THAT(scene.said(), SizeIs(testing::Ge(1U)));
+    EXPECT_THAT(scene.said()[0], HasSubstr("s.x3d:4:13: error: XML: Opening and ending tag mismatch"));
+  }
+}
+
+TEST(ReadFiles, AFaultBelowTheLinesThatLibxmlCountsHasItsPlace) {
+  const auto scene = ReadScene::ofText("<Scene>" + std::string(100'000, '\n') + "<Box></Bax></Scene>");
+  EXPECT_THAT(scene.said()[0], HasSubstr("s.x3d:100001:12: "));
+}
+
+/// Each line end and each tab of an attribute is a space (XML 1.0, 3.3.3), but not one that is escaped.
+TEST(ReadFiles, WhiteSpaceOfAStringIsAsXmlHasIt) {
+  const auto scene = [](const std::string& title) {
+    return ReadScene::ofText("<Scene><WorldInfo DEF='W' title='" + title + "'/></Scene>").value("W", "title");
+  };
+  EXPECT_EQ(scene("a\nb\n\nc"), "a b  c");
+  EXPECT_EQ(scene("a\tb\r\nc\r\r\nd\n\re"), "a b c  d  e");
+  EXPECT_EQ(scene("a&#10;b&#9;c&#13;d"), "a\nb\tc\rd");
+}
+
+/// In two bytes a character, those of a line end may be of another one: U+0A09 is a letter.
+TEST(ReadFiles, Utf16KeepsItsCharacters) {
+  std::string text = "\xff\xfe";
+  for (const char c : std::string("<Scene><WorldInfo DEF='W' title='a\n@\tb'/></Scene>")) {
+    text += c == '@' ? '\t' : c;
+    text += c == '@' ? '\n' : '\0';
+  }
+  EXPECT_EQ(ReadScene::ofText(text).value("W", "title"), "a \xe0\xa8\x89 b");
 }
 
 TEST(ReadLimits, NoEntityBombAndNoExternalEntity) {

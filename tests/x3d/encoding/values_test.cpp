@@ -16,6 +16,17 @@ TEST(ReadValues, CommasAreWhiteSpace) {
   EXPECT_EQ(scene.value("T", "translation"), "1 2 3");
 }
 
+TEST(ReadValues, AListOfStringsWithoutQuotesIsOneString) {
+  auto scene = ReadScene::ofElements(
+      "<Anchor DEF='A' url='./left rib.x3d'/>\n<Anchor DEF='B' url='./b.x3d'/><Anchor DEF='C' url=' '/>");
+  EXPECT_THAT(scene.said(),
+              ElementsAre("s.x3d:1:29: warning: A.url: read as one string; strings of a list stand in "
+                          "double quotes"));
+  EXPECT_EQ(scene.value("A", "url"), "\"./left rib.x3d\"");
+  EXPECT_EQ(scene.value("B", "url"), "\"./b.x3d\"");
+  EXPECT_EQ(scene.value("C", "url"), "");
+}
+
 TEST(ReadValues, BadTokenIsToldWithItsPlaceAndTheDefaultStays) {
   auto scene = ReadScene::ofElements("\n\n  <Transform DEF='T' scale='2 x2 2'/>");
   EXPECT_THAT(scene.said(),

@@ -8,14 +8,14 @@
 #include <pleura/x3d/browser/anatomy/node_maker.h>
 #include <pleura/x3d/browser/anatomy/thorax_files.h>
 #include <pleura/x3d/browser/anatomy/tissue.h>
-#include <pleura/x3d/encoding/writer.h>
 
 namespace pleura {
 
 namespace {
 
 /// To a hundredth of a millimetre: nothing that can be seen, and files half as long.
-Vec3f rounded(const Vec3f& p) { return (p * 1e5f).array().round().matrix() / 1e5f; }
+constexpr float kPerMetre = 1e5f;
+Vec3f rounded(const Vec3f& p) { return pleura::rounded(p, kPerMetre); }
 float rounded(double x) { return static_cast<float>(std::round(x * 1e5) / 1e5); }
 
 std::string lower(std::string text) {
@@ -45,35 +45,15 @@ class ThoraxWriter {
   }
 
  private:
-  NodePtr triangleSet(const TriangleMesh& mesh, bool isSolid) {
-    std::vector<Vec3f> points;
-    for (const auto& p : mesh.points) points.push_back(rounded(p));
-    std::vector<std::int32_t> index;
-    for (const auto& triangle : mesh.triangles)
-      for (int k = 0; k < 3; ++k) index.push_back(triangle[k]);
-    const auto coordinate = maker_.make("Coordinate");
-    maker_.set<MFVec3f>(coordinate, "point", points);
-    const auto geometry = maker_.make("IndexedTriangleSet");
-    maker_.set<MFInt32>(geometry, "index", index);
-    maker_.set<SFBool>(geometry, "solid", isSolid);
-    maker_.put(geometry, "coord", coordinate);
-    return geometry;
-  }
-
   NodePtr shape(const TriangleMesh& mesh, Tissue tissue) {
     const auto node = maker_.make("Shape");
     maker_.put(node, "appearance", appearanceOf(maker_, tissue));
-    maker_.put(node, "geometry", triangleSet(mesh, true));
+    maker_.put(node, "geometry", triangleSet(maker_, mesh, true, kPerMetre));
     return node;
   }
 
   void finish(Document& document, const std::string& name, const std::string& what) {
-    document.components = {};
-    document.meta = {{"title", name + ".x3d"},
-                     {"description", what},
-                     {"source", source_},
-                     {"generator", "pleura anatomy"}};
-    files_.push_back({name + ".x3d", writeX3d(document)});
+    files_.push_back(sceneFile(document, name, what, source_));
   }
 
   /// An Inline of a file of shapes.
@@ -146,7 +126,7 @@ class ThoraxWriter {
       const auto& cartilage = anatomy_.cartilages[k];
       const auto node = maker_.make("DeformableShape2", cartilage.name);
       maker_.put(node, "appearance", appearanceOf(maker_, Tissue::cartilage));
-      maker_.put(node, "geometry", triangleSet(cartilage.mesh, true));
+      maker_.put(node, "geometry", triangleSet(maker_, cartilage.mesh, true, kPerMetre));
       maker_.put(node, "deformer", skin(cage_.cartilageWeights(k), bodies));
       addExported(node);
       nodes.push_back(node);
@@ -206,7 +186,7 @@ class ThoraxWriter {
     maker_.set<SFInt32>(deformer, "smoothing", kSmoothing);
     const auto node = maker_.make("DeformableShape2", name);
     maker_.put(node, "appearance", appearanceOf(maker_, tissue));
-    maker_.put(node, "geometry", triangleSet(mesh, isSolid));
+    maker_.put(node, "geometry", triangleSet(maker_, mesh, isSolid, kPerMetre));
     maker_.put(node, "deformer", deformer);
     addExported(node);
     return node;

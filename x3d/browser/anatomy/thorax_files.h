@@ -5,14 +5,9 @@
 
 #include <pleura/nodes/core/node_registry.h>
 #include <pleura/nodes/thorax/anatomy/anatomy.h>
+#include <pleura/x3d/browser/anatomy/scene_file.h>
 
 namespace pleura {
-
-/// A scene file: its name in the anatomy's folder, and its text.
-struct SceneFile {
-  std::string name;
-  std::string text;
-};
 
 /// A thorax as scene files: a file for each bone, and `thorax.x3d`, which puts them together, holds the
 /// organs and exports all that a scene moves and watches. `source` names where the shapes are from,

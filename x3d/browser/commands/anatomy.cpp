@@ -6,6 +6,7 @@
 #include <pleura/nodes/core/plugin.h>
 #include <pleura/nodes/standard/register.h>
 #include <pleura/nodes/thorax/anatomy/from_meshes.h>
+#include <pleura/x3d/browser/anatomy/chain_files.h>
 #include <pleura/x3d/browser/anatomy/thorax_files.h>
 #include <pleura/x3d/browser/commands/commands.h>
 #include <pleura/x3d/browser/commands/progress.h>
@@ -19,6 +20,7 @@ namespace {
 struct Options {
   std::filesystem::path output;
   std::filesystem::path from;
+  std::string style = "thorax";
 };
 
 /// All parts of a mesh file as one.
@@ -50,14 +52,15 @@ Anatomy realAnatomy(const std::filesystem::path& folder) {
 void makeAnatomy(const Options& options) {
   NodeRegistry registry;
   registerStandardNodes(registry);
-  PluginLoader().load("thorax", registry);
+  PluginLoader().load(options.style, registry);
   const bool isReal = !options.from.empty();
   const Anatomy anatomy = isReal ? realAnatomy(options.from) : generateAnatomy();
   std::filesystem::create_directories(options.output);
   const std::string source =
       isReal ? "meshes of " + options.from.filename().string()
              : "measured on BodyParts3D, (c) The Database Center for Life Science, CC BY 4.0";
-  const auto files = thoraxFiles(anatomy, registry, source);
+  const auto files = options.style == "chain" ? chainFiles(anatomy, registry, source)
+                                              : thoraxFiles(anatomy, registry, source);
   for (const auto& file : files) write(options.output / file.name, file.text);
   fmt::print("{} files in {}\n", files.size(), options.output.string());
 }
@@ -69,6 +72,11 @@ void addAnatomyCommand(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   command->add_option("-o,--output", options->output, "Folder for the files")->required();
   command->add_option("--from", options->from, "Folder of meshes with skeleton/ and organs/");
+  command
+      ->add_option("--style", options->style,
+                   "thorax; or chain, organ files as the thesis' scenes inline them")
+      ->check(CLI::IsMember({"thorax", "chain"}))
+      ->capture_default_str();
   command->callback([options] { makeAnatomy(*options); });
 }
 

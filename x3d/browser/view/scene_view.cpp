@@ -187,9 +187,12 @@ void SceneView::setCamera() {
 }
 
 void SceneView::setBackground() {
-  list_.background = {};
   auto* node = dynamic_cast<X3DBackgroundNode*>(boundBackground_);
-  if (node == nullptr) return;
+  if (node == nullptr) {
+    static const render::Background black;
+    list_.background = black;
+    return;
+  }
   list_.background.skyColor = node->skyColor.getValue();
   list_.background.skyAngle = node->skyAngle.getValue();
   list_.background.groundColor = node->groundColor.getValue();
