@@ -14,9 +14,8 @@ const char* name(Diagnostic::Severity severity) {
 }  // namespace
 
 void Diagnostics::add(Diagnostic diagnostic) {
-  constexpr std::size_t kMostListed = 1000;
   ++(diagnostic.severity == Diagnostic::Severity::error ? errors_ : warnings_);
-  if (all_.size() < kMostListed) all_.push_back(std::move(diagnostic));
+  if (!isFull()) all_.push_back(std::move(diagnostic));
 }
 
 std::string toText(const Diagnostic& d) {

@@ -34,10 +34,13 @@ class Diagnostics {
   const std::vector<Diagnostic>& all() const { return all_; }
   std::size_t warnings() const { return warnings_; }
   std::size_t errors() const { return errors_; }
+  /// Whether what is found from now on is counted only: its wording takes no pains.
+  bool isFull() const { return all_.size() >= kMostListed; }
   /// How many were found beyond those that are listed.
   std::size_t unlisted() const { return warnings_ + errors_ - all_.size(); }
 
  private:
+  static constexpr std::size_t kMostListed = 1000;
   void add(Diagnostic diagnostic);
 
   std::vector<Diagnostic> all_;

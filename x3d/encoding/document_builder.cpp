@@ -87,7 +87,7 @@ DocumentBuilder::Open DocumentBuilder::openNode(std::string_view name, const Att
   if (type == nullptr) {
     if (told_.insert(std::string(name)).second)
       warn(source_.tagBefore(tag), fmt::format("unknown node {}: left out with what it contains{}", name,
-                                               didYouMean(reader_.registry_.nearest(name))));
+                                               didYouMean(nearestType(name))));
     return {Open::Kind::skipped};
   }
   Open opened{Open::Kind::node, type->create(), type->containerField(), tag};
@@ -112,7 +112,7 @@ DocumentBuilder::Open DocumentBuilder::useNode(std::string_view def, const Attri
   const auto found = document_.names.find(def);
   if (found == document_.names.end()) {
     error(source_.attributeValue(at, "USE"), fmt::format("USE {}: no node of that name stands before{}", def,
-                                                         didYouMean(nearestName(def, knownNames()))));
+                                                         didYouMean(nearestNode(def, document_.names))));
     return {Open::Kind::skipped};
   }
   const bool isOpen =
@@ -225,12 +225,10 @@ void DocumentBuilder::place(const Open& child) {
 
 double DocumentBuilder::scaleOf(const FieldDeclaration& field) const {
   const auto factor = [&](std::string_view category) {
-    double product = 1;
-    for (const auto& unit : document_.units)
-      if (unit.category == category) product = unit.factor;
-    return product;
+    const auto found = unitFactors_.find(category);
+    return found != unitFactors_.end() ? found->second : 1.0;
   };
-  if (document_.units.empty()) return 1;
+  if (unitFactors_.empty()) return 1;
   switch (field.unit) {
     case Unit::length:
     case Unit::speed:
@@ -259,10 +257,16 @@ double DocumentBuilder::scaleOf(const FieldDeclaration& field) const {
   return 1;
 }
 
-std::vector<std::string_view> DocumentBuilder::knownNames() const {
+std::string DocumentBuilder::nearestType(std::string_view name) const {
+  return reader_.diagnostics_.isFull() ? std::string() : reader_.registry_.nearest(name);
+}
+
+std::string DocumentBuilder::nearestNode(std::string_view def, const Names& among) const {
+  constexpr std::size_t kMostSearched = 10000;
+  if (reader_.diagnostics_.isFull() || among.size() > kMostSearched) return {};
   std::vector<std::string_view> known;
-  for (const auto& [name, node] : document_.names) known.push_back(name);
-  return known;
+  for (const auto& [name, node] : among) known.push_back(name);
+  return nearestName(def, known);
 }
 
 }  // namespace pleura

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -30,6 +31,7 @@ class DocumentBuilder : public ElementHandler {
 
  private:
   using Attributes = std::vector<Attribute>;
+  using Names = std::map<std::string, NodePtr, std::less<>>;
 
   /// An element that is open.
   struct Open {
@@ -77,7 +79,9 @@ class DocumentBuilder : public ElementHandler {
   Field* routeEnd(const std::string& nodeName, const std::string& fieldName, std::size_t tag);
 
   double scaleOf(const FieldDeclaration& field) const;
-  std::vector<std::string_view> knownNames() const;
+  // For "did you mean": nothing where nobody would see it, or the search would take long.
+  std::string nearestNode(std::string_view def, const Names& among) const;
+  std::string nearestType(std::string_view name) const;
   void warn(std::size_t offset, std::string message);
   void error(std::size_t offset, std::string message);
 
@@ -88,7 +92,8 @@ class DocumentBuilder : public ElementHandler {
   std::vector<Open> open_;
   std::vector<PendingRoute> routes_;
   std::unordered_map<const Node*, Extent> extents_;
-  std::unordered_map<const Node*, Document> inlined_;
+  std::unordered_map<const Node*, Names> inlined_;  // what each Inline's file exports
+  std::map<std::string, double, std::less<>> unitFactors_;
   std::set<std::string, std::less<>> told_;  // what is warned of once a file
 };
 

@@ -45,7 +45,8 @@ void DocumentBuilder::addUnit(const Attributes& attributes, std::size_t tag) {
   if (!(unit.factor > 0))
     return error(source_.attributeValue(at, "conversionFactor"),
                  "unit: conversionFactor is a number above 0");
-  document_.units.push_back(unit);
+  unitFactors_[unit.category] = unit.factor;
+  document_.units.push_back(std::move(unit));
 }
 
 void DocumentBuilder::addRoute(const Attributes& attributes, std::size_t tag) {
@@ -80,18 +81,13 @@ void DocumentBuilder::addImport(const Attributes& attributes, std::size_t tag) {
   if (inner == inlined_.end())
     return error(source_.attributeValue(at, "inlineDEF"),
                  fmt::format("IMPORT: no Inline {} that was loaded stands before{}", import.inlineName,
-                             suggestion(nearestName(import.inlineName, knownNames()))));
-  const Document& from = inner->second;
-  const auto exported = std::find_if(from.exports.begin(), from.exports.end(),
-                                     [&](const auto& pair) { return pair.second == import.node; });
-  const auto node = exported != from.exports.end() ? from.names.find(exported->first) : from.names.end();
-  if (node == from.names.end()) {
-    std::vector<std::string_view> known;
-    for (const auto& [def, as] : from.exports) known.push_back(as);
+                             suggestion(nearestNode(import.inlineName, document_.names))));
+  const Names& exported = inner->second;
+  const auto node = exported.find(import.node);
+  if (node == exported.end())
     return error(source_.attributeValue(at, "importedDEF"),
                  fmt::format("IMPORT: {} exports no {}{}", import.inlineName, import.node,
-                             suggestion(nearestName(import.node, known))));
-  }
+                             suggestion(nearestNode(import.node, exported))));
   if (const auto [known, isNew] = document_.names.emplace(import.as, node->second);
       !isNew && known->second != node->second)
     warn(at, fmt::format("IMPORT: {} is the name of another node here, which keeps it", import.as));
@@ -158,7 +154,10 @@ void DocumentBuilder::loadInline(const Open& opened) {
           at, fmt::format("{}.url: {} files inline one another", node.describe(), reader_.reading_.size()));
     Document inner = reader_.readFile(*path);
     node.contents.setValue(inner.nodes);
-    inlined_.emplace(opened.node.get(), std::move(inner));
+    Names& exported = inlined_[opened.node.get()];
+    for (const auto& [def, as] : inner.exports)
+      if (const auto found = inner.names.find(def); found != inner.names.end())
+        exported.emplace(as, found->second);
     return;
   }
   error(at, fmt::format("{}.url: nothing to load ({})", node.describe(),
@@ -169,7 +168,8 @@ Field* DocumentBuilder::routeEnd(const std::string& nodeName, const std::string&
   const std::size_t at = source_.tagBefore(tag);
   const auto node = document_.names.find(nodeName);
   if (node == document_.names.end()) {
-    error(at, fmt::format("ROUTE: no node {}{}", nodeName, suggestion(nearestName(nodeName, knownNames()))));
+    error(at,
+          fmt::format("ROUTE: no node {}{}", nodeName, suggestion(nearestNode(nodeName, document_.names))));
     return nullptr;
   }
   Field* field = node->second->getField(fieldName);

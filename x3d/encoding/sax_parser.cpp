@@ -98,6 +98,7 @@ void initializeLibxml() {
 void parseXml(const SourceText& source, ElementHandler& handler, Diagnostics& diagnostics, int deepest) {
   initializeLibxml();
   const std::string& text = source.text();
+  if (text.empty()) return diagnostics.error({source.name()}, "is empty");
   if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     return diagnostics.error({source.name()}, "larger than 2 GB");
 
@@ -117,6 +118,9 @@ void parseXml(const SourceText& source, ElementHandler& handler, Diagnostics& di
   // Without NOENT "&amp;" would come as "&#38;"; a file's own entities are not known, and so not expanded.
   xmlCtxtUseOptions(parser.get(), XML_PARSE_NONET | XML_PARSE_HUGE | XML_PARSE_BIG_LINES | XML_PARSE_NOENT);
   parser->userData = &parse;
+  // libxml2 compares each attribute of an element with every other: names without end would take for ever.
+  constexpr std::size_t kBytesOfNames = 1 << 17;
+  xmlDictSetLimit(parser->dict, kBytesOfNames);
   xmlParseDocument(parser.get());
 }
 

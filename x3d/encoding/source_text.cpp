@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include <zlib.h>
@@ -44,12 +45,15 @@ SourceText SourceText::fromFile(const std::filesystem::path& file) {
 }
 
 Place SourceText::placeAt(std::size_t offset) const {
-  const std::string_view before = std::string_view(text_).substr(0, std::min(offset, text_.size()));
-  const auto line = std::count(before.begin(), before.end(), '\n');
-  const auto lineStart = before.rfind('\n');
-  const std::size_t column =
-      lineStart == std::string_view::npos ? before.size() : before.size() - lineStart - 1;
-  return {name_, static_cast<int>(line) + 1, static_cast<int>(column) + 1};
+  offset = std::min(offset, text_.size());
+  if (lineStarts_.empty()) {
+    lineStarts_.push_back(0);
+    for (auto end = text_.find('\n'); end != std::string::npos; end = text_.find('\n', end + 1))
+      lineStarts_.push_back(end + 1);
+  }
+  const auto next = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), offset);
+  return {name_, static_cast<int>(next - lineStarts_.begin()),
+          static_cast<int>(offset - *std::prev(next)) + 1};
 }
 
 std::size_t SourceText::tagBefore(std::size_t end) const {

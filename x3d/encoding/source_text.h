@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <pleura/x3d/encoding/diagnostics.h>
 
@@ -35,6 +36,7 @@ class SourceText {
  private:
   std::string name_;
   std::string text_;
+  mutable std::vector<std::size_t> lineStarts_;  // found when first asked for
 };
 
 }  // namespace pleura

@@ -76,7 +76,7 @@ bool CoordinateGeometryNode::sourcesChanged() {
 void CoordinateGeometryNode::rebuild(RenderMesh& mesh) {
   FaceList faces;
   if (!sources_.points.empty()) collect(sources_.points.size(), faces);
-  describe(mesh);
+  setProperties(mesh);
   const std::size_t dropped = faces.dropFacesWithoutPoints(sources_.points.size());
   if (dropped > 0) warnOnce(fmt::format("{} parts have points that coord lacks: left out", dropped));
   settleNormals(faces, mesh);

@@ -35,7 +35,7 @@ class CoordinateGeometryNode : public X3DGeometryNode {
   /// Which corners make triangles, lines or points.
   virtual std::vector<std::uint32_t> primitives(const FaceList& faces, std::span<const Vec3f> points) = 0;
   /// Sets primitive, solid and ccw.
-  virtual void describe(RenderMesh& mesh) = 0;
+  virtual void setProperties(RenderMesh& mesh) = 0;
   /// Faces that meet at less are shaded as one where no normals are given [rad].
   virtual double smoothAngle() { return 0; }
 

@@ -49,6 +49,6 @@ std::vector<std::uint32_t> IndexedLineSet::primitives(const FaceList& faces, std
   return faces.segments();
 }
 
-void IndexedLineSet::describe(RenderMesh& mesh) { mesh.primitive = RenderMesh::Primitive::lines; }
+void IndexedLineSet::setProperties(RenderMesh& mesh) { mesh.primitive = RenderMesh::Primitive::lines; }
 
 }  // namespace pleura

@@ -29,6 +29,6 @@ std::vector<std::uint32_t> LineSet::primitives(const FaceList& faces, std::span<
   return faces.segments();
 }
 
-void LineSet::describe(RenderMesh& mesh) { mesh.primitive = RenderMesh::Primitive::lines; }
+void LineSet::setProperties(RenderMesh& mesh) { mesh.primitive = RenderMesh::Primitive::lines; }
 
 }  // namespace pleura

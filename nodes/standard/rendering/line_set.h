@@ -15,7 +15,7 @@ class LineSet : public CoordinateGeometryNode {
   bool topologyChanged() override;
   void collect(std::size_t pointCount, FaceList& faces) override;
   std::vector<std::uint32_t> primitives(const FaceList& faces, std::span<const Vec3f> points) override;
-  void describe(RenderMesh& mesh) override;
+  void setProperties(RenderMesh& mesh) override;
 
  private:
   FieldWatch topology_;

@@ -25,6 +25,6 @@ std::vector<std::uint32_t> PointSet::primitives(const FaceList& faces, std::span
   return all;
 }
 
-void PointSet::describe(RenderMesh& mesh) { mesh.primitive = RenderMesh::Primitive::points; }
+void PointSet::setProperties(RenderMesh& mesh) { mesh.primitive = RenderMesh::Primitive::points; }
 
 }  // namespace pleura

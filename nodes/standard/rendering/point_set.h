@@ -13,7 +13,7 @@ class PointSet : public CoordinateGeometryNode {
   bool topologyChanged() override { return false; }
   void collect(std::size_t pointCount, FaceList& faces) override;
   std::vector<std::uint32_t> primitives(const FaceList& faces, std::span<const Vec3f> points) override;
-  void describe(RenderMesh& mesh) override;
+  void setProperties(RenderMesh& mesh) override;
 };
 
 }  // namespace pleura

@@ -21,7 +21,7 @@ void X3DComposedGeometryNode::declare(NodeType& type) {
   type.field<&X3DComposedGeometryNode::texCoord>("texCoord", inputOutput, {}).means("points of the texture");
 }
 
-void X3DComposedGeometryNode::describe(RenderMesh& mesh) {
+void X3DComposedGeometryNode::setProperties(RenderMesh& mesh) {
   mesh.primitive = RenderMesh::Primitive::triangles;
   mesh.solid = solid.getValue();
   mesh.ccw = ccw.getValue();

@@ -17,7 +17,7 @@ class X3DComposedGeometryNode : public CoordinateGeometryNode {
   static void declare(NodeType& type);
 
  protected:
-  void describe(RenderMesh& mesh) override;
+  void setProperties(RenderMesh& mesh) override;
   std::vector<std::uint32_t> primitives(const FaceList& faces, std::span<const Vec3f> points) override;
   double smoothAngle() override;
   /// Faces may only be cut as fans if they are.

@@ -10,8 +10,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr int kDone = 0, kFault = 1, kUsage = 2;
-
 /// The program says something and exits with this status.
 void expectStatus(int status, const std::vector<std::string>& arguments) {
   std::string line = "pleura";
@@ -41,6 +39,7 @@ TEST_F(BadInput, WhatIsNoSceneIsAFaultForEveryCommand) {
     expectStatus(kFault, {"check", file});
     expectStatus(kFault, {"run", file, "--for", "0.1"});
     expectStatus(kFault, {"render", file, "-o", path("x.png")});
+    expectStatus(kFault, {"play", file});
     expectStatus(kFault, {"convert", file, "-o", path("x.x3d")});
   }
 }
@@ -98,7 +97,12 @@ TEST_F(BadInput, AMisspeltNameIsToldWithTheNearest) {
 TEST_F(BadInput, WhereNothingCanBeWrittenIsAFault) {
   const std::string nowhere = path("no/such/folder/x");
   expectStatus(kFault, {"run", good_, "--for", "0.1", "--watch", "T.translation", "--csv", nowhere + ".csv"});
+  expectStatus(kFault, {"run", good_, "--for", "0.1", "--watch", "T.translation", "--csv", "/dev/full"});
   expectStatus(kFault, {"render", good_, "-o", nowhere + ".png"});
+  expectStatus(kFault, {"render", good_, "-o", nowhere + ".mp4", "--for", "0.1", "--size", "64x64"});
+  expectStatus(kFault, {"render", good_, "-o", good_ + "/below/a/file", "--for", "0.1"});
+  expectStatus(kFault, {"convert", good_, "-o", "/dev/full"});
+  expectStatus(kFault, {"demo", "-o", good_});
   expectStatus(kFault, {"convert", good_, "-o", nowhere + ".x3d"});
   expectStatus(kFault, {"anatomy", "-o", good_ + "/below/a/file"});
 }
@@ -106,6 +110,19 @@ TEST_F(BadInput, WhereNothingCanBeWrittenIsAFault) {
 TEST_F(BadInput, AnOverlongOrStrangeNameIsAFault) {
   expectStatus(kFault, {"check", std::string(5000, 'x')});
   expectStatus(kFault, {"run", "\xff\xfe\n", "--for", "0.1"});
+}
+
+TEST_F(BadInput, NamesThatNothingHas) {
+  expectStatus(kFault, {"render", good_, "-o", path("x.png"), "--viewpoint", "NOWHERE"});
+  expectStatus(kUsage, {"render", good_, "-o", path("x.png"), "--viewpoint", "T"});
+  expectStatus(kUsage, {"run", good_, "--for", "0.1", "--anatomy", path("nowhere")});
+  expectStatus(kFault, {"nodes", "--library", "nothing"});
+}
+
+TEST_F(BadInput, PlayWithoutADisplaySaysSo) {
+  const Outcome outcome = runProgram({"play", good_});
+  EXPECT_EQ(outcome.status, kFault);
+  EXPECT_THAT(outcome.output, HasSubstr("no window: X11: The DISPLAY environment variable is missing"));
 }
 
 TEST_F(BadInput, AllFilesAreCheckedAndTheWorstCounts) {
@@ -120,6 +137,12 @@ TEST_F(BadInput, WarningsAreFaultsOnlyWhenStrict) {
   const std::string file = folder_.write("warned.x3d", "<Scene><Group colour='red'/></Scene>");
   expectStatus(kDone, {"check", file});
   expectStatus(kFault, {"check", "--strict", file});
+}
+
+TEST_F(BadInput, TheVersionIsThatOfProgramAndPlugins) {
+  const Outcome outcome = runProgram({"--version"});
+  EXPECT_EQ(outcome.status, kDone);
+  EXPECT_THAT(outcome.output, testing::MatchesRegex("pleura [0-9]+\\.[0-9]+\\.[0-9]+, plugin ABI [0-9]+\n"));
 }
 
 TEST_F(BadInput, GoodInputIsDone) {

@@ -26,7 +26,7 @@ std::string quoted(const std::string& word) {
 }  // namespace
 
 Outcome runProgram(const std::vector<std::string>& arguments) {
-  std::string command = "timeout 60 " + quoted(PLEURA_PROGRAM);
+  std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY timeout 60 " + quoted(PLEURA_PROGRAM);
   for (const auto& argument : arguments) {
     command += ' ';
     command += quoted(argument);

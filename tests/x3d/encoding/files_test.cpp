@@ -48,6 +48,8 @@ TEST(ReadFiles, WhatIsNoSceneIsAnErrorThatNamesTheFile) {
   }
 }
 
+TEST(ReadFiles, NoTextAtAllIsAnError) { EXPECT_EQ(ReadScene::ofText("").diagnostics.errors(), 1u); }
+
 TEST(ReadFiles, ATruncatedFileIsAnErrorWhereverItEnds) {
   const std::string whole =
       "<X3D version='4.0'><Scene><Transform DEF='T' translation='1 2 3'>\n<Shape><Box/></Shape></Transform>"

@@ -37,8 +37,8 @@ struct Sample {
 /// What a teacher would ask for, as one row a frame.
 class BreathTable {
  public:
-  BreathTable(Scene& scene, const std::filesystem::path& file) : scene_(scene), out_(file) {
-    if (!out_) throw FileError(file.string() + ": can't be written");
+  BreathTable(Scene& scene, std::filesystem::path file) : scene_(scene), file_(std::move(file)), out_(file_) {
+    if (!out_) throw FileError(file_.string() + ": can't be written");
     out_ << "time_s,lung_volume_L,dome_height_cm";
     for (int rib = 1; rib <= kRibs; ++rib) out_ << fmt::format(",rib_{0}_pump_deg,rib_{0}_bucket_deg", rib);
     out_ << '\n';
@@ -59,6 +59,11 @@ class BreathTable {
     out_ << '\n';
   }
 
+  void close() {
+    out_.close();
+    if (!out_) throw FileError(file_.string() + ": can't be written");
+  }
+
   const std::vector<Sample>& samples() const { return samples_; }
 
  private:
@@ -67,6 +72,7 @@ class BreathTable {
   double number(const char* path) { return static_cast<SFFloat&>(scene_.field(path)).getValue(); }
 
   Scene& scene_;
+  std::filesystem::path file_;
   std::ofstream out_;
   std::vector<Sample> samples_;
 };
@@ -131,6 +137,7 @@ void runDemo(const Options& options) {
     progress.show(static_cast<double>(frame) / frames);
   }
   film.close();
+  table.close();
   render::writePng(render::contactSheet(sheet, kSheetColumns), options.output / "breathing.png");
   std::nth_element(drawing.begin(), drawing.begin() + frames / 2, drawing.end());
   tell(table.samples(), playback.statistics(), drawing[static_cast<std::size_t>(frames / 2)]);

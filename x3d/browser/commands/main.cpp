@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <pleura/fields/errors.h>
+#include <pleura/nodes/core/plugin.h>
 #include <pleura/x3d/browser/commands/commands.h>
 
 namespace {
@@ -18,6 +19,8 @@ int fail(int status, const char* message) {
 int main(int argc, char** argv) {
   CLI::App app{"Pleura: X3D scenes of anatomy that breathes"};
   app.require_subcommand(1);
+  app.set_version_flag("--version",
+                       fmt::format("pleura {}, plugin ABI {}", PLEURA_VERSION, pleura::kPluginAbi));
   pleura::addRunCommand(app);
   pleura::addRenderCommand(app);
   pleura::addPlayCommand(app);
@@ -28,8 +31,8 @@ int main(int argc, char** argv) {
   pleura::addDemoCommand(app);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
+  } catch (const CLI::Success& answered) {  // --help, --version
+    return app.exit(answered);
   } catch (const CLI::ParseError& error) {
     app.exit(error);
     return pleura::kUsage;

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include <pleura/x3d/browser/render/background_pass.h>
+#include <pleura/x3d/browser/render/projection.h>
 #include <pleura/x3d/browser/render/validate.h>
 
 namespace pleura::render {
@@ -27,29 +29,10 @@ void requireFraction(float value, const char* name) {
   require(value >= 0 && value <= 1, fmt::format("{} is {}, outside [0, 1]", name, value));
 }
 
-void check(const DrawItem& item) {
-  require(item.geometry != nullptr, "item.geometry is null");
-  requireFinite(item.model, "item.model");
-  const Material& m = item.material;
-  requireFinite(m.diffuseColor, "material.diffuseColor");
-  requireFinite(m.specularColor, "material.specularColor");
-  requireFinite(m.emissiveColor, "material.emissiveColor");
-  requireFraction(m.ambientIntensity, "material.ambientIntensity");
-  requireFraction(m.shininess, "material.shininess");
-  requireFraction(m.transparency, "material.transparency");
-  require(item.size > 0 && std::isfinite(item.size), "item.size must be above 0");
-}
-
-void check(const Light& light) {
-  requireFinite(light.color, "light.color");
-  requireFinite(light.intensity, "light.intensity");
-  requireFinite(light.ambientIntensity, "light.ambientIntensity");
-  requireFinite(light.direction, "light.direction");
-  requireFinite(light.location, "light.location");
-  requireFinite(light.attenuation, "light.attenuation");
-  requireFinite(light.radius, "light.radius");
-  requireFinite(light.beamWidth, "light.beamWidth");
-  requireFinite(light.cutOffAngle, "light.cutOffAngle");
+template <class Value>
+void requireFiniteStream(std::span<const Value> values, const char* name) {
+  const bool isFinite = std::ranges::all_of(values, [](const Value& value) { return value.allFinite(); });
+  require(isFinite, fmt::format("geometry.{} holds a value that is not finite", name));
 }
 
 void checkStops(const std::vector<Eigen::Vector3f>& colors, const std::vector<float>& angles,
@@ -66,16 +49,61 @@ void checkStops(const std::vector<Eigen::Vector3f>& colors, const std::vector<fl
 
 }  // namespace
 
+void validate(const Geometry& geometry) {
+  requireFiniteStream(geometry.positions, "positions");
+  requireFiniteStream(geometry.normals, "normals");
+  requireFiniteStream(geometry.colors, "colors");
+  if (geometry.indices.empty()) return;
+  const std::uint32_t largest = *std::ranges::max_element(geometry.indices);
+  require(
+      largest < geometry.positions.size(),
+      fmt::format("geometry.indices has {}, but there are {} positions", largest, geometry.positions.size()));
+}
+
+void validate(const DrawItem& item) {
+  require(item.geometry != nullptr, "item.geometry is null");
+  requireFinite(item.model, "item.model");
+  const Material& m = item.material;
+  requireFinite(m.diffuseColor, "material.diffuseColor");
+  requireFinite(m.specularColor, "material.specularColor");
+  requireFinite(m.emissiveColor, "material.emissiveColor");
+  requireFraction(m.ambientIntensity, "material.ambientIntensity");
+  requireFraction(m.shininess, "material.shininess");
+  requireFraction(m.transparency, "material.transparency");
+  require(item.size > 0 && std::isfinite(item.size), "item.size must be above 0");
+}
+
+void validate(const Light& light) {
+  requireFinite(light.color, "light.color");
+  requireFinite(light.intensity, "light.intensity");
+  requireFinite(light.ambientIntensity, "light.ambientIntensity");
+  requireFinite(light.direction, "light.direction");
+  requireFinite(light.location, "light.location");
+  requireFinite(light.attenuation, "light.attenuation");
+  requireFinite(light.radius, "light.radius");
+  requireFinite(light.beamWidth, "light.beamWidth");
+  requireFinite(light.cutOffAngle, "light.cutOffAngle");
+}
+
+void validate(const Camera& camera) {
+  requireFinite(camera.view, "camera.view");
+  projectionMatrix(camera, 1, 1);
+}
+
+void validate(const Background& background) {
+  require(!background.skyColor.empty(), "background.skyColor is empty");
+  checkStops(background.skyColor, background.skyAngle, "sky");
+  checkStops(background.groundColor, background.groundAngle, "ground");
+  requireFinite(background.rotation, "background.rotation");
+}
+
 void validate(const DrawList& list) {
-  for (const DrawItem& item : list.items) check(item);
+  for (const DrawItem& item : list.items) validate(item);
   require(list.lights.size() <= maxLights,
           fmt::format("there are {} lights, more than {}", list.lights.size(), maxLights));
-  for (const Light& light : list.lights) check(light);
+  for (const Light& light : list.lights) validate(light);
   requireFinite(list.camera.view, "camera.view");
-  require(!list.background.skyColor.empty(), "background.skyColor is empty");
-  checkStops(list.background.skyColor, list.background.skyAngle, "sky");
-  checkStops(list.background.groundColor, list.background.groundAngle, "ground");
-  requireFinite(list.background.rotation, "background.rotation");
+  validate(list.background);
   for (const OverlayText& text : list.overlay) {
     require(text.size >= 4 && text.size <= 512, "overlay.size is outside [4, 512]");
     requireFinite(text.color, "overlay.color");

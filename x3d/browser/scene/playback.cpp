@@ -7,13 +7,17 @@
 namespace pleura {
 
 Playback::Playback(Scene& scene, const PlaybackOptions& options)
-    : scene_(scene), step_(options.step), keys_(parseKeys(options.keys)), table_(scene, options.watch) {
+    : scene_(scene),
+      step_(options.step),
+      keys_(parseKeys(options.keys)),
+      table_(scene, options.watch),
+      csvFile_(options.csv) {
   if (!std::isfinite(step_) || step_ < 1e-6 || step_ > 1e3)
     throw std::invalid_argument("step: expected 1e-6 to 1e3 seconds");
   for (const auto& assignment : options.set) scene.set(assignment);
-  if (options.csv.empty()) return;
-  csv_.open(options.csv);
-  if (!csv_) throw FileError(options.csv.string() + ": can't be written");
+  if (csvFile_.empty()) return;
+  csv_.open(csvFile_);
+  if (!csv_) throw FileError(csvFile_.string() + ": can't be written");
 }
 
 void Playback::runUntil(Time time, const std::function<void(Time)>& afterTick) {
@@ -22,6 +26,7 @@ void Playback::runUntil(Time time, const std::function<void(Time)>& afterTick) {
     ++ticks_;
     tick(now(), afterTick);
   }
+  if (csv_.is_open() && !csv_.flush()) throw FileError(csvFile_.string() + ": can't be written");
 }
 
 void Playback::tick(Time now, const std::function<void(Time)>& afterTick) {

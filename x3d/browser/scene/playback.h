@@ -33,7 +33,7 @@ class Playback {
   Playback(Scene& scene, const PlaybackOptions& options);
 
   /// Ticks until `time` [s] inclusive. `afterTick` sees the scene at each, within the tick's measured cost;
-  /// what it reads is what the scene computes.
+  /// what it reads is what the scene computes. Throws FileError when the table can't be written.
   void runUntil(Time time, const std::function<void(Time)>& afterTick = {});
 
   Time now() const { return static_cast<double>(ticks_) * step_; }
@@ -47,6 +47,7 @@ class Playback {
   std::vector<TimedKey> keys_;
   std::size_t nextKey_ = 0;
   WatchTable table_;
+  std::filesystem::path csvFile_;
   std::ofstream csv_;
   std::int64_t ticks_ = -1;
   TickStatistics statistics_;

@@ -22,6 +22,12 @@ namespace {
 
 Scene::Scene() { registerStandardNodes(registry_); }
 
+/// What lists every node is emptied first: each node would search it as it goes.
+Scene::~Scene() {
+  keyListeners_.clear();
+  while (!time.getRoutesOut().empty()) time.unroute(*time.getRoutesOut().back());
+}
+
 void Scene::load(const std::filesystem::path& file, ReaderLimits limits) {
   file_ = file.string();
   document_ = Reader(registry_, plugins_, *this, diagnostics_, limits).readFile(file);

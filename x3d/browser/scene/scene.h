@@ -23,6 +23,9 @@ struct UnknownNameError : std::runtime_error {
 class Scene : public SceneContext {
  public:
   Scene();
+  ~Scene() override;
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
 
   /// Reads the file into this scene, which must be empty. All faults are among the diagnostics.
   void load(const std::filesystem::path& file, ReaderLimits limits = {});

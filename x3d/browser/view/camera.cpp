@@ -9,11 +9,17 @@ namespace pleura {
 
 namespace {
 
+/// Half the diagonal; 0 for a box that is empty or larger than numbers go.
+float radiusOf(const Eigen::AlignedBox3f& box) {
+  const float radius = box.isEmpty() ? 0 : std::max(1e-6f, box.diagonal().norm() / 2);
+  return std::isfinite(radius) ? radius : 0;
+}
+
 /// Depth range that holds the box with some room, not so near that depth loses its precision.
 void fitDepth(render::Camera& camera, const Eigen::AlignedBox3f& box) {
-  if (box.isEmpty()) return;
+  const float radius = radiusOf(box);
+  if (radius == 0) return;
   const Vec3f center = camera.view.topLeftCorner<3, 3>() * box.center() + camera.view.topRightCorner<3, 1>();
-  const float radius = std::max(1e-6f, box.diagonal().norm() / 2);
   camera.farDistance = std::max(-center.z() + 1.5f * radius, 4 * radius);
   camera.nearDistance = std::max(-center.z() - 1.5f * radius, camera.farDistance / 2000);
 }
@@ -55,8 +61,7 @@ PlacedCamera cameraFor(const Eigen::AlignedBox3f& box) {
   PlacedCamera placed;
   placed.camera.fieldOfView = std::numbers::pi_v<float> / 4;
   Vec3f position(0, 0, 10);
-  if (!box.isEmpty()) {
-    const float radius = std::max(1e-6f, box.diagonal().norm() / 2);
+  if (const float radius = radiusOf(box); radius > 0) {
     placed.centerOfRotation = box.center();
     position = box.center() + Vec3f(0, 0, radius / std::sin(placed.camera.fieldOfView / 2));
   }

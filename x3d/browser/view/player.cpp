@@ -1,10 +1,12 @@
 #include <algorithm>
-#include <cmath>
+#include <chrono>
 #include <vector>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 
+#include <pleura/nodes/standard/grouping/x3d_bounded_object.h>
 #include <pleura/x3d/browser/view/player.h>
 
 namespace pleura {
@@ -30,26 +32,40 @@ int actionKeyOf(int key) {
   return found == std::end(kFromHome) ? 0 : 13 + static_cast<int>(found - std::begin(kFromHome));
 }
 
-/// Adds to a number of BREATH, where there is one, within `least` and `most`.
-void nudge(Scene& scene, std::string_view path, float by, float least, float most) {
-  try {
-    if (auto* field = dynamic_cast<SFFloat*>(&scene.field(path)))
-      field->setValue(std::clamp(field->getValue() + by, least, most));
-  } catch (const UnknownNameError&) {
-    return;  // a scene without a breath has nothing to steer
-  }
+/// A field of the scene's BREATH; null where it has none.
+template <class F>
+F* breathField(Scene& scene, std::string_view name) {
+  const auto& names = scene.document().names;
+  const auto breath = names.find("BREATH");
+  return breath == names.end() ? nullptr : dynamic_cast<F*>(breath->second->getField(name));
+}
+
+void nudge(SFFloat* field, float by, float least, float most) {
+  if (field != nullptr) field->setValue(std::clamp(field->getValue() + by, least, most));
+}
+
+/// Appends the viewpoints at and below `node`, in the scene's order.
+void collectViewpoints(const NodePtr& node, std::vector<X3DViewpointNode*>& found) {
+  if (auto* viewpoint = dynamic_cast<X3DViewpointNode*>(node.get())) found.push_back(viewpoint);
+  if (auto* object = dynamic_cast<X3DBoundedObject*>(node.get()))
+    for (const auto& child : object->displayed()) collectViewpoints(child, found);
 }
 
 }  // namespace
 
 Player::Player(Scene& scene, int width, int height, const std::string& title)
-    : scene_(scene), view_(scene), window_(width, height, "Pleura - " + title), renderer_(window_.context()) {
+    : scene_(scene),
+      rate_(breathField<SFFloat>(scene, "rate")),
+      depth_(breathField<SFFloat>(scene, "depth")),
+      paused_(breathField<SFBool>(scene, "paused")),
+      view_(scene),
+      title_("Pleura - " + title),
+      window_(width, height, title_),
+      renderer_(window_.context()) {
   window_.events.key = [this](const auto& event) { onKey(event); };
   window_.events.character = [this](char32_t character) { onCharacter(character); };
   window_.events.mouseMove = [this](const auto& event) { onMove(event); };
-  window_.events.scroll = [this](float steps) {
-    if (camera_) camera_->zoom(steps);
-  };
+  window_.events.scroll = [this](float steps) { camera().zoom(steps); };
 }
 
 void Player::onCharacter(char32_t character) {
@@ -79,49 +95,57 @@ void Player::steer(int key) {
     case GLFW_KEY_PAGE_DOWN:
       return nextViewpoint(1);
     case GLFW_KEY_LEFT:
-      return nudge(scene_, "BREATH.rate", -kRateStep, 0, 120);
+      return nudge(rate_, -kRateStep, 0, 120);
     case GLFW_KEY_RIGHT:
-      return nudge(scene_, "BREATH.rate", kRateStep, 0, 120);
+      return nudge(rate_, kRateStep, 0, 120);
     case GLFW_KEY_DOWN:
-      return nudge(scene_, "BREATH.depth", -kDepthStep, 0, 1);
+      return nudge(depth_, -kDepthStep, 0, 1);
     case GLFW_KEY_UP:
-      return nudge(scene_, "BREATH.depth", kDepthStep, 0, 1);
+      return nudge(depth_, kDepthStep, 0, 1);
     default:
       return;
   }
 }
 
 void Player::nextViewpoint(int step) {
-  std::vector<std::string> names;
-  for (const auto& [name, node] : scene_.document().names)
-    if (dynamic_cast<X3DViewpointNode*>(node.get()) != nullptr) names.push_back(name);
-  if (names.empty()) return;
-  const int count = static_cast<int>(names.size());
-  viewpoint_ = (viewpoint_ + step + count) % count;
-  view_.lookFrom(names[static_cast<std::size_t>(viewpoint_)]);
+  std::vector<X3DViewpointNode*> all;
+  for (const auto& node : scene_.document().nodes) collectViewpoints(node, all);
+  if (all.empty()) return;
+  const auto isBound = [](X3DViewpointNode* viewpoint) { return viewpoint->isBound.getValue(); };
+  const auto count = static_cast<int>(all.size());
+  const auto bound = static_cast<int>(std::find_if(all.begin(), all.end(), isBound) - all.begin());
+  all[static_cast<std::size_t>((bound + step + count) % count)]->set_bind.setValue(true);
   camera_.reset();
 }
 
+render::OrbitCamera& Player::camera() {
+  if (!camera_) camera_.emplace(view_.viewpoint().camera, view_.viewpoint().centerOfRotation);
+  return *camera_;
+}
+
 void Player::onMove(const render::MouseMoveEvent& event) {
-  if (!camera_) return;
   const auto size = window_.size();
-  if (event.left) camera_->orbit(event.movement.x(), event.movement.y(), size.y());
-  if (event.right || event.middle) camera_->pan(event.movement.x(), event.movement.y(), size.x(), size.y());
+  if (event.left) camera().orbit(event.movement.x(), event.movement.y(), size.y());
+  if (event.right || event.middle) camera().pan(event.movement.x(), event.movement.y(), size.x(), size.y());
 }
 
 void Player::drawFrame() {
-  if (camera_) {
-    view_.lookThrough(camera_->camera());
-  } else {
-    view_.lookThrough(std::nullopt);
-  }
+  view_.lookThrough(camera_ ? std::optional(camera_->camera()) : std::nullopt);
   auto& list = view_.update();
-  if (!camera_) camera_.emplace(view_.viewpoint().camera, view_.viewpoint().centerOfRotation);
   const auto size = window_.size();
   if (size.x() < 1 || size.y() < 1) return;
   renderer_.draw(list, size.x(), size.y());
   renderer_.present();
   window_.swapBuffers();
+}
+
+void Player::showBreath() {
+  if (rate_ == nullptr || depth_ == nullptr || paused_ == nullptr) return;
+  std::string breath = fmt::format(" - {:.3g} breaths/min, depth {:.2f}{}", rate_->getValue(),
+                                   depth_->getValue(), paused_->getValue() ? ", paused" : "");
+  if (breath == breath_) return;
+  breath_ = std::move(breath);
+  window_.setTitle(title_ + breath_);
 }
 
 void Player::run(double seconds) {
@@ -130,9 +154,10 @@ void Player::run(double seconds) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   while (!window_.closeRequested() && (seconds <= 0 || now() < seconds)) {
-    window_.poll();
     scene_.tick(now());
     drawFrame();
+    showBreath();
+    window_.poll();
   }
 }
 

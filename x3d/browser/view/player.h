@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <string>
 
@@ -15,7 +14,7 @@ namespace pleura {
 /// A scene in a window, on the real clock. The mouse orbits (left), pans (right or middle) and zooms (wheel);
 /// Page Up and Page Down go through the viewpoints, Home goes back to the viewpoint, Escape closes. Every key
 /// is also the scene's. Where the scene has a Respiration named BREATH, arrows change its rate (left, right)
-/// and depth (up, down).
+/// and depth (up, down), and the title shows them.
 class Player {
  public:
   /// Throws std::runtime_error when there is no display.
@@ -31,13 +30,20 @@ class Player {
   void steer(int key);
   void nextViewpoint(int step);
   void drawFrame();
+  void showBreath();
+  /// The viewpoint's camera as the mouse moves it.
+  render::OrbitCamera& camera();
 
   Scene& scene_;
+  SFFloat* rate_;   // of BREATH; null where there is none
+  SFFloat* depth_;  // the same
+  SFBool* paused_;  // the same
   SceneView view_;
+  std::string title_;
+  std::string breath_;  // as the title shows it
   render::Window window_;
   render::Renderer renderer_;
-  std::optional<render::OrbitCamera> camera_;
-  int viewpoint_ = 0;
+  std::optional<render::OrbitCamera> camera_;  // none: the viewpoint's own
 };
 
 }  // namespace pleura

@@ -4,6 +4,7 @@
 #include <pleura/nodes/standard/grouping/transform.h>
 #include <pleura/nodes/standard/navigation/lod.h>
 #include <pleura/nodes/standard/navigation/navigation_info.h>
+#include <pleura/x3d/browser/render/validate.h>
 #include <pleura/x3d/browser/view/billboard_turn.h>
 #include <pleura/x3d/browser/view/light.h>
 #include <pleura/x3d/browser/view/scene_view.h>
@@ -58,6 +59,17 @@ render::DrawList& SceneView::update() {
   return list_;
 }
 
+template <class Drawable>
+bool SceneView::isDrawable(const Node& node, const Drawable& drawable) {
+  try {
+    render::validate(drawable);
+  } catch (const std::invalid_argument& bad) {
+    scene_.warn(node, std::string(bad.what()) + ": not drawn");
+    return false;
+  }
+  return true;
+}
+
 void SceneView::findBound() {
   boundViewpoint_ =
       chosenViewpoint_ != nullptr ? chosenViewpoint_ : bound<X3DViewpointNode>(scene_, "Viewpoint");
@@ -82,7 +94,7 @@ std::uint32_t SceneView::lightsAmong(std::span<const NodePtr> nodes, const Matri
     auto* light = dynamic_cast<X3DLightNode*>(node.get());
     if (light == nullptr || list_.lights.size() >= render::maxLights) continue;
     const auto on = placedLight(*light, toWorld);
-    if (!on) continue;
+    if (!on || !isDrawable(*light, on->light)) continue;
     const std::uint32_t bit = 1u << list_.lights.size();
     (on->isGlobal ? globalLights_ : mask) |= bit;
     list_.lights.push_back(on->light);
@@ -114,9 +126,13 @@ void SceneView::addShape(X3DShapeNode& shape, const Matrix4f& toWorld, std::uint
   render::Geometry* geometry = geometryOf(shape.geometry.getValue());
   if (geometry == nullptr || geometry->indices.empty()) return;
   const Surface surface = surfaceOf(shape);
-  list_.items.push_back({geometry, toWorld, surface.material, lights, surface.size});
+  const render::DrawItem item{geometry, toWorld, surface.material, lights, surface.size};
+  if (!isDrawable(shape, item)) return;
+  list_.items.push_back(item);
   for (const auto& p : geometry->positions)
-    box_.extend(toWorld.topLeftCorner<3, 3>() * p + toWorld.topRightCorner<3, 1>());
+    if (const Vec3f inWorld = toWorld.topLeftCorner<3, 3>() * p + toWorld.topRightCorner<3, 1>();
+        inWorld.allFinite())
+      box_.extend(inWorld);
 }
 
 render::Geometry* SceneView::geometryOf(const NodePtr& node) {
@@ -125,12 +141,19 @@ render::Geometry* SceneView::geometryOf(const NodePtr& node) {
   Drawn& drawn = drawn_[node.get()];
   drawn.keepAlive = node;
   drawn.frame = frame_;
+  auto& out = drawn.geometry;
+  const auto revisions = [&] { return std::pair(out.positionsRevision, out.indicesRevision); };
+  const auto before = revisions();
   if (auto* text = dynamic_cast<Text*>(geometry)) {
     updateText(drawn, *text);
-    return &drawn.geometry;
+  } else {
+    updateMesh(out, geometry->renderMesh());
   }
-  const RenderMesh& mesh = geometry->renderMesh();
-  auto& out = drawn.geometry;
+  if (revisions() != before) drawn.isSound = isDrawable(*node, out);
+  return drawn.isSound ? &out : nullptr;
+}
+
+void SceneView::updateMesh(render::Geometry& out, const RenderMesh& mesh) {
   out.primitive = mesh.primitive == RenderMesh::Primitive::triangles ? render::Primitive::Triangles
                   : mesh.primitive == RenderMesh::Primitive::lines   ? render::Primitive::Lines
                                                                      : render::Primitive::Points;
@@ -142,7 +165,6 @@ render::Geometry* SceneView::geometryOf(const NodePtr& node) {
   out.ccw = mesh.ccw;
   out.positionsRevision = out.normalsRevision = out.colorsRevision = mesh.vertexRevision;
   out.indicesRevision = mesh.topologyRevision;
-  return &out;
 }
 
 void SceneView::updateText(Drawn& drawn, Text& text) {
@@ -160,6 +182,7 @@ void SceneView::updateText(Drawn& drawn, Text& text) {
 void SceneView::setCamera() {
   auto* node = dynamic_cast<X3DViewpointNode*>(boundViewpoint_);
   viewpoint_ = node != nullptr ? placedCamera(*node, viewpointToWorld_, box_) : cameraFor(box_);
+  if (node != nullptr && !isDrawable(*node, viewpoint_.camera)) viewpoint_ = PlacedCamera();
   list_.camera = override_.value_or(viewpoint_.camera);
 }
 
@@ -177,6 +200,7 @@ void SceneView::setBackground() {
   if (list_.background.skyColor.empty()) list_.background.skyColor = {RGB::Zero()};
   const Eigen::Affine3f toWorld(backgroundToWorld_);
   list_.background.rotation = toWorld.rotation();
+  if (!isDrawable(*node, list_.background)) list_.background = {};
 }
 
 }  // namespace pleura

@@ -41,9 +41,13 @@ class SceneView {
     render::Geometry geometry;
     render::TextGeometry text;
     std::uint64_t textStamp = 0;
+    bool isSound = false;
     std::uint64_t frame = 0;
   };
 
+  /// Whether the renderer takes it; if not, the author is told why the node is not drawn.
+  template <class Drawable>
+  bool isDrawable(const Node& node, const Drawable& drawable);
   void findBound();
   void locate(const NodePtr& node, const Matrix4f& toWorld);
   void visit(const NodePtr& node, const Matrix4f& toWorld, std::uint32_t lights);
@@ -51,6 +55,7 @@ class SceneView {
   std::uint32_t lightsAmong(std::span<const NodePtr> nodes, const Matrix4f& toWorld);
   void addShape(X3DShapeNode& shape, const Matrix4f& toWorld, std::uint32_t lights);
   render::Geometry* geometryOf(const NodePtr& node);
+  static void updateMesh(render::Geometry& out, const RenderMesh& mesh);
   void updateText(Drawn& drawn, Text& text);
   void setCamera();
   void setBackground();
