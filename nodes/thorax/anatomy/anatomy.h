@@ -72,7 +72,7 @@ struct Vertebra {
 
 enum class DiaphragmPart : unsigned char { Tendon, Dome, Wall, Rim };
 
-/// A thin sheet. Generated: open, normals up and outwards, its rim attached to the cage. From real meshes: as
+/// A thin open sheet, normals up and outwards, its rim attached to the cage; from real meshes with crura if
 /// scanned.
 struct Diaphragm {
   TriangleMesh mesh;

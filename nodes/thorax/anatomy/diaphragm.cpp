@@ -81,12 +81,6 @@ double beyondWalls(const std::array<ChestWall, 2>& walls, const Vector3d& point)
   return walls[point.x() > 0.0 ? 0 : 1].beyond(point) - opening;
 }
 
-Vector3f pressedInside(const std::array<ChestWall, 2>& walls, const Vector3f& point) {
-  const Vector3d ray = point.cast<double>() - walls[point.x() > 0.0f ? 0 : 1].centre();
-  const double beyond = beyondWalls(walls, point.cast<double>());
-  return beyond > 0.0 ? Vector3f(point - (beyond * ray.normalized()).cast<float>()) : point;
-}
-
 // Draws the ragged border of the cut to the rim and spreads the triangles behind it.
 void drawToRim(OpenSheet& sheet, const std::vector<Vector3f>& rim, const Solid& solid) {
   constexpr int kPasses = 30;
@@ -129,6 +123,12 @@ void addTags(const DiaphragmShape& shape, const std::vector<int>& next, const Ab
 }
 
 }  // namespace
+
+Vector3f pressedInside(const std::array<ChestWall, 2>& walls, const Vector3f& point) {
+  const Vector3d ray = point.cast<double>() - walls[point.x() > 0.0f ? 0 : 1].centre();
+  const double beyond = beyondWalls(walls, point.cast<double>());
+  return beyond > 0.0 ? Vector3f(point - (beyond * ray.normalized()).cast<float>()) : point;
+}
 
 Vector3f domeTop(const TriangleMesh& mesh, Side side) {
   constexpr float kBesideHeart = 0.035f;  // [m] from the midline: the saddle under the heart is no dome

@@ -39,6 +39,10 @@ class DiaphragmShape {
 /// The highest point on one side, off the midline [m].
 Eigen::Vector3f domeTop(const TriangleMesh& mesh, Side side);
 
+/// A point moved towards the lungs onto the walls (left, right) of the cage if it lies beyond them; in the
+/// midline, where neither has bones, they open.
+Eigen::Vector3f pressedInside(const std::array<ChestWall, 2>& walls, const Eigen::Vector3f& point);
+
 /// The diaphragm as an open sheet of about 2,000 points, nowhere beyond the walls (left, right) of the cage.
 Diaphragm generateDiaphragm(const DiaphragmShape& shape, const std::array<ChestWall, 2>& walls);
 

@@ -148,14 +148,18 @@ void takeSternum(const Scans& scans, Sternum& sternum) {
   sternum.xiphoidTip = extreme(*xiphoid, low);
 }
 
-void takeLungs(const Scans& scans, Anatomy& anatomy) {
+void takeOrgans(const Scans& scans, Anatomy& anatomy) {
   const SurfaceQuery bones = bonesOf(anatomy);
+  const std::array<ChestWall, 2> walls{ChestWall(anatomy.ribs, anatomy.cartilages, Side::Left, kPleuralGap),
+                                       ChestWall(anatomy.ribs, anatomy.cartilages, Side::Right, kPleuralGap)};
+  if (auto mesh = scans.sheet("organs/diaphragm.obj")) {
+    anatomy.diaphragm = scannedDiaphragm(std::move(*mesh), walls, bones);
+  }
   const SurfaceQuery diaphragm(anatomy.diaphragm.mesh.points, anatomy.diaphragm.mesh.triangles);
   for (Lung& lung : anatomy.lungs) {
-    auto mesh = scans.solid(fmt::format("organs/{}_lung.obj", sideName(lung.side)));
+    const auto mesh = scans.solid(fmt::format("organs/{}_lung.obj", sideName(lung.side)));
     if (!mesh) continue;
-    const ChestWall wall(anatomy.ribs, anatomy.cartilages, lung.side, kPleuralGap);
-    lung = scannedLung(std::move(*mesh), lung.side, wall, bones, diaphragm);
+    lung = scannedLung(*mesh, lung.side, walls[lung.side == Side::Left ? 0 : 1], bones, diaphragm);
   }
 }
 
@@ -170,8 +174,7 @@ Anatomy anatomyFromMeshes(const std::filesystem::path& directory, const MeshLoad
     takeCartilage(scans, partOf(anatomy.ribs, cartilage.side, cartilage.number), cartilage);
   }
   takeSternum(scans, anatomy.sternum);
-  if (auto mesh = scans.sheet("organs/diaphragm.obj")) anatomy.diaphragm = scannedDiaphragm(std::move(*mesh));
-  takeLungs(scans, anatomy);
+  takeOrgans(scans, anatomy);
   return anatomy;
 }
 

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include <pleura/nodes/deformable/mesh/measures.h>
-#include <pleura/nodes/deformable/mesh/surface_query.h>
 #include <pleura/nodes/thorax/anatomy/bones.h>
 #include <pleura/nodes/thorax/anatomy/chest_wall.h>
 #include <pleura/nodes/thorax/anatomy/implicit_surface.h>
@@ -16,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSpacing = 0.0052;     // [m] triangle size
-constexpr double kOutlineBlur = 0.013;  // [m] the measured sections' distance
+constexpr double kSectionBlur = 0.013;  // [m] the measured sections' distance
 constexpr double kBlur = 0.006;         // [m] rounding of borders and edges
 constexpr double kSeam = 0.002;         // [m] over which the skin turns onto a bone
 constexpr double kGrowth = 0.012;       // [m] the fit's largest gap to the wall, which is to be filled
@@ -31,21 +30,20 @@ Eigen::AlignedBox3d boxOf(Side side) {
 // What bounds one lung; each function is negative on the lung's side [m].
 class Space {
  public:
-  Space(const ChestWall& wall, const DiaphragmShape& shape, Side side)
-      : side_(side),
-        shape_(shape),
+  Space(const LungOutline& outline, const ChestWall& wall, const DomeHeight& height)
+      : side_(outline.side),
         wall_(wall),
-        outline_([sections = LungSections(side)](const Vector3d& p) { return sections.distance(p); },
-                 boxOf(side), kOutlineBlur) {}
+        height_(height),
+        outline_(outline.distance, outline.box, outline.blur) {}
 
   double beyondWall(const Vector3d& p) const { return wall_.beyond(p); }
 
   // Height above the dome, made a distance by the dome's slope.
   double belowDome(const Vector3d& p) const {
     constexpr double kStep = 0.002;  // [m]
-    const double height = shape_.heightAt(p);
-    const double dx = (shape_.heightAt(p + Vector3d(kStep, 0, 0)) - height) / kStep;
-    const double dz = (shape_.heightAt(p + Vector3d(0, 0, kStep)) - height) / kStep;
+    const double height = height_(p);
+    const double dx = (height_(p + Vector3d(kStep, 0, 0)) - height) / kStep;
+    const double dz = (height_(p + Vector3d(0, 0, kStep)) - height) / kStep;
     return kPleuralGap + (height - p.y()) / std::sqrt(1.0 + dx * dx + dz * dz);
   }
 
@@ -81,8 +79,8 @@ class Space {
 
  private:
   Side side_;
-  const DiaphragmShape& shape_;
   const ChestWall& wall_;
+  const DomeHeight& height_;
   SmoothField outline_;
 };
 
@@ -91,21 +89,26 @@ double tooNear(const SurfaceQuery& surface, const Vector3d& p) {
   return kPleuralGap - (nearest ? nearest->distance : kReach);
 }
 
-Lung generateLung(const Anatomy& rest, const SurfaceQuery& bones, const ChestWall& wall,
-                  const DiaphragmShape& shape, Side side) {
-  const Space space(wall, shape, side);
-  const SurfaceQuery diaphragm(rest.diaphragm.mesh.points, rest.diaphragm.mesh.triangles);
-  const Eigen::AlignedBox3d box = boxOf(side);
-  const SmoothField smooth([&](const Vector3d& p) { return space(p); }, box, kBlur);
+LungOutline measuredOutline(Side side) {
+  return {side, [sections = LungSections(side)](const Vector3d& p) { return sections.distance(p); },
+          boxOf(side), kSectionBlur};
+}
+
+}  // namespace
+
+Lung fillLung(const LungOutline& outline, const ChestWall& wall, const DomeHeight& height,
+              const SurfaceQuery& bones, const SurfaceQuery& diaphragm) {
+  const Space space(outline, wall, height);
+  const SmoothField smooth([&](const Vector3d& p) { return space(p); }, outline.box, kBlur);
   const Solid solid = [&](const Vector3d& p) {
     const double lung = smooth(p);
     if (lung > kReach) return lung;
     return smoothIntersection(lung, std::max(tooNear(bones, p), tooNear(diaphragm, p)), kSeam);
   };
   Lung lung;
-  lung.side = side;
-  lung.name = side == Side::Left ? "LUNG_L" : "LUNG_R";
-  lung.mesh = skinOf(solid, box, kSpacing);
+  lung.side = outline.side;
+  lung.name = outline.side == Side::Left ? "LUNG_L" : "LUNG_R";
+  lung.mesh = skinOf(solid, outline.box, kSpacing);
   std::vector<Eigen::Vector3f> normals(lung.mesh.points.size());
   vertexNormals(lung.mesh.points, lung.mesh.triangles, normals);
   for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -116,13 +119,13 @@ Lung generateLung(const Anatomy& rest, const SurfaceQuery& bones, const ChestWal
   return lung;
 }
 
-}  // namespace
-
 std::vector<Lung> generateLungs(const Anatomy& rest, const std::array<ChestWall, 2>& walls,
                                 const DiaphragmShape& shape) {
   const SurfaceQuery bones = bonesOf(rest);
-  return {generateLung(rest, bones, walls[0], shape, Side::Left),
-          generateLung(rest, bones, walls[1], shape, Side::Right)};
+  const SurfaceQuery diaphragm(rest.diaphragm.mesh.points, rest.diaphragm.mesh.triangles);
+  const DomeHeight height = [&](const Vector3d& p) { return shape.heightAt(p); };
+  return {fillLung(measuredOutline(Side::Left), walls[0], height, bones, diaphragm),
+          fillLung(measuredOutline(Side::Right), walls[1], height, bones, diaphragm)};
 }
 
 }  // namespace pleura

@@ -4,8 +4,11 @@
 #include <numbers>
 
 #include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/refinement.h>
+#include <pleura/nodes/thorax/anatomy/bone_lines.h>
 #include <pleura/nodes/thorax/anatomy/diaphragm.h>
 #include <pleura/nodes/thorax/anatomy/lungs.h>
+#include <pleura/nodes/thorax/anatomy/open_sheet.h>
 #include <pleura/nodes/thorax/anatomy/scanned_organs.h>
 
 namespace pleura {
@@ -65,9 +68,27 @@ std::vector<Vector3f> normalsOf(const TriangleMesh& mesh) {
   return normals;
 }
 
-Vector3d offWall(const ChestWall& wall, const Vector3d& point) {
-  const double beyond = wall.beyond(point);
-  return beyond > 0.0 ? Vector3d(point - beyond * (point - wall.centre()).normalized()) : point;
+// The sheet itself, or the face of a slab that looks away from the middle of the abdomen: that towards lungs
+// and ribs.
+TriangleMesh thoracicFace(TriangleMesh mesh) {
+  const Vector3f middle = boundingBox(mesh.points).center();
+  for (Vector3f& p : mesh.points) p -= middle;
+  if (signedVolume(mesh.points, mesh.triangles) < 0.0) {
+    for (Eigen::Vector3i& t : mesh.triangles) std::swap(t[1], t[2]);
+  }
+  const std::vector<Vector3f> normals = normalsOf(mesh);
+  std::vector<bool> keep;
+  for (std::size_t i = 0; i < normals.size(); ++i) keep.push_back(normals[i].dot(mesh.points[i]) > 0.0f);
+  TriangleMesh face = largestPiece(cutOpen(mesh, keep).mesh);
+  for (Vector3f& p : face.points) p += middle;
+  return face;
+}
+
+// Fine enough to bend, and no finer than breathing in real time allows.
+TriangleMesh ofMovableSize(const TriangleMesh& mesh) {
+  constexpr std::size_t kCoarse = 3000;
+  constexpr int kMost = 8000;
+  return mesh.triangles.size() < kCoarse ? subdivide(mesh) : decimate(mesh, kMost);
 }
 
 Vector3d offBones(const SurfaceQuery& bones, const Vector3d& point) {
@@ -78,21 +99,24 @@ Vector3d offBones(const SurfaceQuery& bones, const Vector3d& point) {
   return nearest.point + kPleuralGap * (inside ? normal : Vector3d((point - nearest.point).normalized()));
 }
 
-// Upwards to the gap above the highest sheet over or under the point.
-Vector3d offDiaphragm(const SurfaceQuery& diaphragm, const Vector3d& point) {
-  constexpr double kDeepest = 0.02;  // [m] that a scanned lung may reach into the dome
-  const auto above =
-      diaphragm.intersectRay(point + kDeepest * Vector3d::UnitY(), -Vector3d::UnitY(), 2.0 * kDeepest);
-  if (!above) return point;
-  const double steepness = std::max(std::abs(diaphragm.pseudonormal(*above).normalized().y()), 0.3);
-  const double least = above->point.y() + kPleuralGap / steepness;
-  return point.y() < least ? Vector3d(point.x(), least, point.z()) : point;
+// The highest sheet above or below a point; beside the diaphragm the height of its nearest place.
+double domeHeight(const SurfaceQuery& diaphragm, const Vector3d& point) {
+  constexpr double kAbove = 0.1;  // [m] in the subject's frame
+  const Vector3d high(point.x(), kAbove, point.z());
+  const auto below = diaphragm.intersectRay(high, -Vector3d::UnitY());
+  return (below ? below->point : diaphragm.closestPoint(high).point).y();
 }
 
 }  // namespace
 
-Diaphragm scannedDiaphragm(TriangleMesh mesh) {
+Diaphragm scannedDiaphragm(TriangleMesh mesh, const std::array<ChestWall, 2>& walls,
+                           const SurfaceQuery& bones) {
   Diaphragm diaphragm;
+  mesh = ofMovableSize(thoracicFace(std::move(mesh)));
+  for (Vector3f& p : mesh.points) {
+    const Vector3f inside = pressedInside(walls, p);
+    p = offBones(bones, inside.cast<double>()).cast<float>();
+  }
   const Plan plan(mesh.points);
   const std::vector<Vector3f> normals = normalsOf(mesh);
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
@@ -106,29 +130,19 @@ Diaphragm scannedDiaphragm(TriangleMesh mesh) {
   return diaphragm;
 }
 
-Lung scannedLung(TriangleMesh mesh, Side side, const ChestWall& wall, const SurfaceQuery& bones,
+Lung scannedLung(const TriangleMesh& mesh, Side side, const ChestWall& wall, const SurfaceQuery& bones,
                  const SurfaceQuery& diaphragm) {
-  constexpr double kTouching = 0.012;  // [m], a scanned lung fits less closely than a generated one
-  for (Vector3f& p : mesh.points) {
-    const Vector3d inside = offWall(wall, p.cast<double>());
-    p = offBones(bones, offDiaphragm(diaphragm, offWall(wall, offBones(bones, inside)))).cast<float>();
-  }
-  Lung lung;
-  lung.side = side;
-  lung.name = side == Side::Left ? "LUNG_L" : "LUNG_R";
-  const std::vector<Vector3f> normals = normalsOf(mesh);
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    const Vector3d p = mesh.points[i].cast<double>();
-    const bool onDiaphragm = normals[i].y() < -0.2f && diaphragm.closestPoint(p).distance < kTouching;
-    const bool onWall = wall.beyond(p) > -kTouching && sign(side) * normals[i].x() > -0.5f;
-    lung.part.push_back(onDiaphragm ? LungPart::Diaphragmatic
-                        : onWall    ? LungPart::Costal
-                                    : LungPart::Mediastinal);
-  }
-  lung.apex = *std::max_element(mesh.points.begin(), mesh.points.end(),
-                                [](const auto& a, const auto& b) { return a.y() < b.y(); });
-  lung.mesh = std::move(mesh);
-  return lung;
+  constexpr double kBlur = 0.006;   // [m] triangles of a scan
+  constexpr double kMargin = 0.02;  // [m] for growing
+  const SurfaceQuery scan(mesh.points, mesh.triangles);
+  const Eigen::AlignedBox3d box = boundingBox(mesh.points).cast<double>();
+  const Vector3d margin = Vector3d::Constant(kMargin);
+  return fillLung(
+      {side,
+       [&](const Vector3d& p) { return scan.signedDistance(p); },
+       {box.min() - margin, box.max() + margin},
+       kBlur},
+      wall, [&](const Vector3d& p) { return domeHeight(diaphragm, p); }, bones, diaphragm);
 }
 
 }  // namespace pleura

@@ -6,7 +6,7 @@
 namespace pleura {
 namespace {
 
-constexpr float kNearWall = 0.008f;  // [m] a wall or rim point farther from the ribs belongs to the crura
+constexpr float kNearWall = 0.010f;  // [m] a point of the zone of apposition farther from the wall is free
 
 struct Tendon {
   std::vector<int> points;
@@ -25,15 +25,18 @@ Tendon tendonOf(const Diaphragm& diaphragm) {
   return tendon;
 }
 
-std::vector<int> drivenPoints(const std::vector<int>& tendon,
+std::vector<int> drivenPoints(const std::vector<int>& tendon, const std::vector<int>& origins,
                               const std::array<std::vector<WallFollower>, 2>& onWall) {
   std::vector<int> driven = tendon;
+  driven.insert(driven.end(), origins.begin(), origins.end());
   for (const std::vector<WallFollower>& side : onWall) {
     for (const WallFollower& follower : side) driven.push_back(follower.index);
   }
   std::sort(driven.begin(), driven.end());
   return driven;
 }
+
+std::size_t sideOf(const Eigen::Vector3f& point) { return point.x() >= 0.0f ? 0 : 1; }
 
 }  // namespace
 
@@ -45,15 +48,31 @@ DiaphragmMotion::DiaphragmMotion(const Diaphragm& diaphragm, const Sides& sides,
   Tendon tendon = tendonOf(diaphragm);
   tendonCentre_ = tendon.centre;
   tendon_ = std::move(tendon.points);
+  std::vector<WallFollower> onSpine;
+  std::vector<int> origins;
+  // Rim away from the ribs borders an opening, or is a crus' origin if the tendon never comes so low.
+  const double lowestTendon = tendonCentre_.y() - dome_.descent;
   for (std::size_t i = 0; i < rest_.size(); ++i) {
-    if (diaphragm.part[i] != DiaphragmPart::Wall && diaphragm.part[i] != DiaphragmPart::Rim) continue;
-    const std::size_t side = rest_[i].x() >= 0.0f ? 0 : 1;
+    const bool isRim = diaphragm.part[i] == DiaphragmPart::Rim;
+    if (!isRim && diaphragm.part[i] != DiaphragmPart::Wall) continue;
+    const std::size_t side = sideOf(rest_[i]);
     const WallPoint place = bindToWall(sides[side].wall, sides[side].slide, rest_[i].cast<double>());
-    if (place.bound && !place.onSpine && place.distance < kNearWall) {
-      onWall_[side].push_back({static_cast<int>(i), place});
+    const bool isNear = place.bound && place.distance < kNearWall;
+    const WallFollower follower{static_cast<int>(i), place};
+    if (place.bound && !place.onSpine && (isNear || isRim)) {
+      onWall_[side].push_back(follower);
+    } else if (isNear) {
+      onSpine.push_back(follower);
+    } else if (isRim && rest_[i].y() < lowestTendon) {
+      origins.push_back(follower.index);
     }
   }
-  driven_ = drivenPoints(tendon_, onWall_);
+  // Crura slide on the spine; without them what is near it is a border of the hiatus, and free.
+  if (!origins.empty()) {
+    for (const WallFollower& follower : onSpine)
+      onWall_[sideOf(rest_[static_cast<std::size_t>(follower.index)])].push_back(follower);
+  }
+  driven_ = drivenPoints(tendon_, origins, onWall_);
   fill_ = HarmonicFill(diaphragm.mesh, driven_);
 }
 

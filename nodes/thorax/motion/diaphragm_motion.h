@@ -15,7 +15,8 @@ using Sides = std::array<Hemithorax, 2>;                           // left, righ
 using WallsNow = std::array<std::span<const Eigen::Vector4f>, 2>;  // their moved grids
 
 /// The diaphragm between moving walls and descending tendon. Driven: the tendon (rigid), zone of apposition
-/// and rim (on the wall). The muscle of the dome and the crura between tendon and spine fill in harmonically.
+/// and rim (on the wall), crura (on the spine, their origins at rest). The muscle of the dome and the crura
+/// between tendon and spine fill in harmonically.
 class DiaphragmMotion {
  public:
   /// Throws std::invalid_argument when no point is tagged as tendon or the tags are not one a point.

@@ -10,8 +10,8 @@
 namespace pleura {
 
 /// A lung between its wall and the diaphragm. Driven: every point near either, by the nearer one. On the wall
-/// it slides; on the diaphragm it keeps its offset from the place it lay on. The mediastinal rest fills in
-/// harmonically.
+/// it slides, its lower border advancing as the recess opens; on the diaphragm it keeps its offset from the
+/// place it lay on. The mediastinal rest fills in harmonically.
 class LungMotion {
  public:
   LungMotion(const Lung& lung, const Hemithorax& half, const TriangleMesh& diaphragm);

@@ -119,12 +119,21 @@ void setColumn(PleuralWall& wall, int column, const Profile& rows, double azimut
   }
 }
 
-/// Inward unit normal from central differences over the grid, one-sided at its borders.
+/// The point of a column at a distance down from the cupola [m], within its ends.
+Eigen::Vector3f below(const PleuralWall& wall, int column, double distance) {
+  const double row = distance / wall.spacing[static_cast<std::size_t>(column)];
+  const double inside = std::clamp(row, 0.0, PleuralWall::kRows - 1.0);
+  const int whole = std::min(static_cast<int>(inside), PleuralWall::kRows - 2);
+  const std::size_t above = PleuralWall::index(column, whole);
+  const auto t = static_cast<float>(inside - whole);
+  return ((1.0f - t) * wall.rest[above] + t * wall.rest[above + 1]).head<3>();
+}
+
+/// Inward unit normal from differences between the rows and, at the same distance from the cupola, between
+/// the columns beside; one-sided at the grid's borders.
 Eigen::Vector3f normalAt(const PleuralWall& wall, int column, int row) {
-  const auto at = [&](int c, int r) -> Eigen::Vector3f {
-    const int inside = std::clamp(r, 0, PleuralWall::kRows - 1);
-    return wall.rest[PleuralWall::index(wall.open(c) ? column : c, inside)].head<3>();
-  };
+  const double spacing = wall.spacing[static_cast<std::size_t>(column)];
+  const auto at = [&](int c, int r) { return below(wall, wall.open(c) ? column : c, r * spacing); };
   const Eigen::Vector3f around = at(PleuralWall::next(column), row) - at(PleuralWall::previous(column), row);
   const Eigen::Vector3f normal = (at(column, row + 1) - at(column, row - 1)).cross(around);
   const Eigen::Vector3f up = wall.axis.up.cast<float>();

@@ -9,11 +9,13 @@
 namespace pleura {
 namespace {
 
-// [m] Sliding brings what lay between two ribs under a rib and the reverse; on the way every gap goes towards
-// this band, closing by at most kMostClosed.
+// [m] Sliding brings what lay between two ribs under a rib, so what lies nearer than this is lifted on the
+// way.
 constexpr float kLeastGap = 0.001f;
-constexpr float kEasyGap = 0.002f;
-constexpr float kMostClosed = 0.0015f;
+// [m] Beside the spine the necks of ribs turn: more, as far as no gap grows by more than that.
+constexpr float kLeastGapAtJoints = 0.0035f;
+constexpr float kMostGrowth = 0.0025f;
+constexpr double kLifting = 0.002;  // [m] of sliding that bring half of the lift
 
 using Grid = std::span<const Eigen::Vector4f>;
 
@@ -94,15 +96,20 @@ WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eige
   at.distance = static_cast<float>(offset.norm());
   at.gap = static_cast<float>(offset.dot(place.of(wall.inward).head<3>().cast<double>()));
   at.onSpine = stays(wall, place.a.above) || stays(wall, place.b.above);
-  at.lift = std::max(std::clamp(at.gap, kLeastGap, kEasyGap) - at.gap, -kMostClosed);
+  const float least = at.onSpine ? std::min(kLeastGapAtJoints, std::abs(at.gap) + kMostGrowth) : kLeastGap;
+  at.lift = std::max(least - at.gap, 0.0f);
   at.rest = followWall(wall, wall.rest, slide, at, 0.0);
   return at;
 }
 
 Eigen::Vector4f followWall(const PleuralWall& wall, Grid now, const WallSlide& slide, const WallPoint& point,
                            double contraction) {
-  const WallPlace place(slide, point.column, point.fraction, point.v, contraction);
-  const float gap = point.gap + static_cast<float>(contraction) * point.lift;
+  const double v = point.v + contraction * point.advance;
+  const WallPlace place(slide, point.column, point.fraction, v, contraction);
+  const double rows = slide.row(point.column, v, contraction) - slide.row(point.column, point.v, 0.0);
+  const double slid = rows * wall.spacing[static_cast<std::size_t>(point.column)];
+  const double lifted = slid * slid / (slid * slid + kLifting * kLifting);
+  const float gap = point.gap + static_cast<float>(lifted) * point.lift;
   return place.of(now) + gap * place.of(wall.inward);
 }
 

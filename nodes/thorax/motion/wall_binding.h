@@ -15,8 +15,9 @@ struct WallPoint {
   int column = 0;
   float fraction = 0.0f;  // [0, 1)
   float v = 0.0f;
+  float advance = 0.0f;   // added to v at contraction 1
   float gap = 0.0f;       // [m] along the inward normal, negative outside
-  float lift = 0.0f;      // [m] added to the gap at contraction 1
+  float lift = 0.0f;      // [m] added to the gap while the point slides
   float distance = 0.0f;  // [m] of the asked point from the wall
   bool bound = false;     // false where the cage is open (mediastinum)
   bool onSpine = false;   // bone that doesn't move carries the wall there

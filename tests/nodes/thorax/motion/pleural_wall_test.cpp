@@ -45,6 +45,22 @@ TEST(PleuralWall, NormalsPointIntoTheCavity) {
   }
 }
 
+TEST(PleuralWall, NormalsPointIntoTheCavityAlsoWhereColumnsEndAtDifferentHeights) {
+  RingCage cage;
+  for (TriangleMesh* ring : {&cage.rings[4], &cage.rings[5]}) {  // the lowest rings keep their left half
+    std::erase_if(ring->triangles, [&](const Eigen::Vector3i& t) {
+      return ring->points[static_cast<std::size_t>(t[0])].x() < 0.0f;
+    });
+  }
+  const auto axis = hemithoraxAxis({0.0, -0.1, 0.0}, {0.0, 0.1, 0.0}, 1.0);
+  const PleuralWall wall = buildPleuralWall(axis, cage.bodies, 0.11);
+  for (std::size_t k = 0; k < wall.rest.size(); ++k) {
+    if (std::abs(wall.rest[k].y()) > 0.04f) continue;
+    const Eigen::Vector3f out(wall.rest[k].x(), 0.0f, wall.rest[k].z());
+    EXPECT_LT(wall.inward[k].head<3>().dot(out.normalized()), -0.8f) << wall.rest[k].transpose();
+  }
+}
+
 TEST(PleuralWall, IsCarriedByTheRingsItTouches) {
   const RingCage cage;
   std::vector<Eigen::Vector4f> now = cage.wall.rest;

@@ -65,14 +65,40 @@ TEST(WallBinding, FollowsTheMovedWallAndSlidesDownIt) {
   }
 }
 
-TEST(WallBinding, AnEvenGapComesOutOfEveryGap) {
+TEST(WallBinding, LiftsWhatLiesTooNearWhileItSlides) {
   const RingCage cage;
-  const auto gapAtFullContraction = [&](double radius) {
-    const WallPoint place = bindToWall(cage.wall, slideByRows(), {radius, 0.015, 0.0});
-    return place.gap + place.lift;
+  const auto bound = [&](double radius) {
+    return bindToWall(cage.wall, slideByRows(), {radius, 0.015, 0.0});
   };
-  EXPECT_NEAR(gapAtFullContraction(0.096), 0.001, 1e-6);   // was outside
-  EXPECT_NEAR(gapAtFullContraction(0.0925), 0.002, 1e-3);  // was wide
+  EXPECT_NEAR(bound(0.096).gap + bound(0.096).lift, 0.001, 1e-6);
+  EXPECT_EQ(bound(0.0925).lift, 0.0f);
+  // How much of the lift has come.
+  const auto lifted = [&](double contraction) {
+    const WallPoint place = bound(0.096);
+    WallPoint stays = place;
+    stays.lift = 0.0f;
+    const auto at = [&](const WallPoint& p) {
+      return followWall(cage.wall, cage.wall.rest, slideByRows(), p, contraction);
+    };
+    return (at(place) - at(stays)).norm() / place.lift;
+  };
+  EXPECT_EQ(lifted(0.0), 0.0f);
+  EXPECT_GT(lifted(0.3), 0.5f);   // soon
+  EXPECT_GT(lifted(-0.3), 0.5f);  // whichever way it slides
+  EXPECT_GT(lifted(1.0), 0.9f);
+  EXPECT_LT(lifted(1.0), 1.001f);
+}
+
+TEST(WallBinding, AdvancesDownTheWallWithContraction) {
+  const RingCage cage;
+  WallPoint place = bindToWall(cage.wall, slideByRows(), {0.094, 0.015, 0.0});
+  const auto height = [&](double contraction) {
+    return followWall(cage.wall, cage.wall.rest, slideByRows(), place, contraction).y();
+  };
+  const float before = height(1.0);
+  place.advance = 0.1f;
+  EXPECT_EQ(height(0.0), place.rest.y());
+  EXPECT_LT(height(1.0), before - 0.002f);
 }
 
 }  // namespace
