@@ -12,39 +12,38 @@
 namespace pleura::render {
 namespace {
 
-void require(bool holds, const std::string& what) {
-  if (!holds) throw std::invalid_argument(what);
+/// Nothing is written, and no memory taken, while all is well: this is asked of every frame.
+template <class... Args>
+void require(bool holds, fmt::format_string<const Args&...> what, const Args&... args) {
+  if (!holds) throw std::invalid_argument(fmt::format(what, args...));
 }
 
 template <class Value>
 void requireFinite(const Value& value, const char* name) {
-  require(Eigen::Matrix<float, -1, -1>(value).allFinite(), fmt::format("{} is not finite", name));
+  require(value.allFinite(), "{} is not finite", name);
 }
 
-void requireFinite(float value, const char* name) {
-  require(std::isfinite(value), fmt::format("{} is not finite", name));
-}
+void requireFinite(float value, const char* name) { require(std::isfinite(value), "{} is not finite", name); }
 
 void requireFraction(float value, const char* name) {
-  require(value >= 0 && value <= 1, fmt::format("{} is {}, outside [0, 1]", name, value));
+  require(value >= 0 && value <= 1, "{} is {}, outside [0, 1]", name, value);
 }
 
 template <class Value>
 void requireFiniteStream(std::span<const Value> values, const char* name) {
   const bool isFinite = std::ranges::all_of(values, [](const Value& value) { return value.allFinite(); });
-  require(isFinite, fmt::format("geometry.{} holds a value that is not finite", name));
+  require(isFinite, "geometry.{} holds a value that is not finite", name);
 }
 
 void checkStops(const std::vector<Eigen::Vector3f>& colors, const std::vector<float>& angles,
                 const char* name) {
-  require(colors.size() <= BackgroundPass::maxStops,
-          fmt::format("background.{}Color has {} colors, more than {}", name, colors.size(),
-                      BackgroundPass::maxStops));
+  require(colors.size() <= BackgroundPass::maxStops, "background.{}Color has {} colors, more than {}", name,
+          colors.size(), BackgroundPass::maxStops);
   require(angles.size() + 1 == colors.size() || (angles.empty() && colors.empty()),
-          fmt::format("background.{0}Color needs one value more than {0}Angle", name));
+          "background.{0}Color needs one value more than {0}Angle", name);
   for (const Eigen::Vector3f& color : colors) requireFinite(color, "background colour");
   for (const float angle : angles) requireFinite(angle, "background angle");
-  require(std::ranges::is_sorted(angles), fmt::format("background.{}Angle does not rise", name));
+  require(std::ranges::is_sorted(angles), "background.{}Angle does not rise", name);
 }
 
 }  // namespace
@@ -55,9 +54,8 @@ void validate(const Geometry& geometry) {
   requireFiniteStream(geometry.colors, "colors");
   if (geometry.indices.empty()) return;
   const std::uint32_t largest = *std::ranges::max_element(geometry.indices);
-  require(
-      largest < geometry.positions.size(),
-      fmt::format("geometry.indices has {}, but there are {} positions", largest, geometry.positions.size()));
+  require(largest < geometry.positions.size(), "geometry.indices has {}, but there are {} positions", largest,
+          geometry.positions.size());
 }
 
 void validate(const DrawItem& item) {
@@ -99,8 +97,8 @@ void validate(const Background& background) {
 
 void validate(const DrawList& list) {
   for (const DrawItem& item : list.items) validate(item);
-  require(list.lights.size() <= maxLights,
-          fmt::format("there are {} lights, more than {}", list.lights.size(), maxLights));
+  require(list.lights.size() <= maxLights, "there are {} lights, more than {}", list.lights.size(),
+          maxLights);
   for (const Light& light : list.lights) validate(light);
   requireFinite(list.camera.view, "camera.view");
   validate(list.background);
