@@ -61,6 +61,8 @@ void expectOnly(const std::string& folder, const std::vector<std::string>& allow
 
 TEST(Architecture, FieldsKnowNothingElse) { expectOnly("fields", {"fields"}); }
 
+TEST(Architecture, HapticsKnowNoScene) { expectOnly("haptics", {"haptics"}); }
+
 TEST(Architecture, TheNodeModelKnowsFields) { expectOnly("nodes/core", {"fields", "nodes/core"}); }
 
 TEST(Architecture, StandardNodesKnowNoThemeAndNoBrowser) {
