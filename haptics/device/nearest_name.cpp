@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include <pleura/haptics/device/nearest_name.h>
+
+namespace pleura::haptics {
+
+namespace {
+
+constexpr std::size_t kLongestName = 64;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; }
+
+/// Levenshtein's distance, letters' case ignored; b has at most kLongestName letters.
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::array<std::size_t, kLongestName + 1> row{};
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (const char letter : a) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lower(letter) != lower(b[j]) ? 1 : 0);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string didYouMean(std::string_view name, std::span<const std::string_view> known) {
+  if (name.empty() || name.size() > kLongestName) return {};
+  std::string_view best;
+  std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
+  for (const auto each : known) {
+    if (each.size() > kLongestName) continue;
+    const std::size_t distance = editDistance(name, each);
+    if (distance >= least) continue;
+    least = distance;
+    best = each;
+  }
+  return best.empty() ? std::string() : "; did you mean " + std::string(best) + "?";
+}
+
+bool isSameName(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char left, char right) { return lower(left) == lower(right); });
+}
+
+}  // namespace pleura::haptics
