@@ -11,7 +11,9 @@ std::unique_ptr<HapticDevice> makeSimulated(const DeviceSettings& settings) {
   const auto& capabilities = settings.capabilities
                                  ? *settings.capabilities
                                  : devicePreset(settings.model.empty() ? "Touch" : settings.model);
-  auto path = settings.file.empty() ? StylusPath() : readStylusPath(settings.file);
+  auto path = !settings.file.empty()       ? readStylusPath(settings.file)
+              : settings.waypoints.empty() ? StylusPath()
+                                           : StylusPath(settings.waypoints);
   return std::make_unique<SimulatedStylus>(capabilities, std::move(path),
                                            StylusHand{settings.handStiffness, settings.handDamping});
 }

@@ -10,13 +10,23 @@ void DeviceRegistry::add(std::string driver, Factory factory) {
   drivers_.insert_or_assign(std::move(driver), std::move(factory));
 }
 
-std::unique_ptr<HapticDevice> DeviceRegistry::make(std::string_view driver,
-                                                   const DeviceSettings& settings) const {
+const DeviceRegistry::Factory* DeviceRegistry::find(std::string_view driver) const {
   for (const auto& [name, factory] : drivers_)
-    if (isSameName(name, driver)) return factory(settings);
+    if (isSameName(name, driver)) return &factory;
+  return nullptr;
+}
+
+void DeviceRegistry::check(std::string_view driver) const {
+  if (find(driver) != nullptr) return;
   const auto known = names();
   throw DeviceError(fmt::format("no driver \"{}\" of haptic devices, known are {}{}", driver,
                                 fmt::join(known, ", "), didYouMean(driver, known)));
+}
+
+std::unique_ptr<HapticDevice> DeviceRegistry::make(std::string_view driver,
+                                                   const DeviceSettings& settings) const {
+  check(driver);
+  return (*find(driver))(settings);
 }
 
 std::vector<std::string_view> DeviceRegistry::names() const {

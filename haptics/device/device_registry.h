@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <pleura/haptics/device/haptic_device.h>
+#include <pleura/haptics/simulated/stylus_path.h>
 
 namespace pleura::haptics {
 
@@ -21,6 +22,8 @@ struct DeviceSettings {
   std::filesystem::path file = {};
   // Simulated: in place of the preset's.
   std::optional<DeviceCapabilities> capabilities = {};
+  // Simulated: the hand's path where there is no file; none: it rests at the origin.
+  std::vector<StylusWaypoint> waypoints = {};
   // Simulated: how the hand holds the tip.
   double handStiffness = 200;  // [N/m]
   double handDamping = 2;      // [N s/m]
@@ -38,9 +41,14 @@ class DeviceRegistry {
   /// settings that the driver refuses.
   std::unique_ptr<HapticDevice> make(std::string_view driver, const DeviceSettings& settings) const;
 
+  /// Throws DeviceError for an unknown driver, with the nearest known name.
+  void check(std::string_view driver) const;
+
   std::vector<std::string_view> names() const;
 
  private:
+  const Factory* find(std::string_view driver) const;
+
   std::map<std::string, Factory, std::less<>> drivers_;
 };
 

@@ -29,7 +29,9 @@ struct NodeField : FieldDeclaration {
   Field& (*of)(Node&) = nullptr;           // that field of a node of this type
   std::function<void(Field&)> setDefault;  // null where the default is the empty value
   std::string defaultText;
+  bool isExtension = false;  // ours, of a node that X3D has without it
 
+  NodeField& extension() { return isExtension = true, *this; }
   NodeField& measuredIn(Unit u) { return unit = u, *this; }
   NodeField& within(double least, double most) { return minimum = least, maximum = most, *this; }
   NodeField& atLeast(double least) { return minimum = least, *this; }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <pleura/nodes/core/node_type.h>
+#include <pleura/nodes/deformable/contact/dent.h>
 #include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura {
@@ -21,6 +22,12 @@ class DeformerNode : public Node {
   /// std::invalid_argument, `positions` untouched, for targets that are not finite.
   virtual void deform(std::span<const int> driven, std::span<const Vec3f> targets,
                       std::span<Vec3f> positions) = 0;
+
+  /// Presses a dent into the shape that deform() made: what gives way to touch, locally. Does not allocate.
+  virtual void give(const Dent& dent, std::span<const Eigen::Vector3i> triangles,
+                    std::span<Vec3f> positions) {
+    press(dent, triangles, positions);
+  }
 
   /// Fields beside the driven points that the shape depends on.
   virtual std::vector<Field*> inputs() { return {}; }

@@ -7,6 +7,7 @@
 #include <pleura/nodes/deformable/solve_counter.h>
 #include <pleura/nodes/standard/rendering/coordinate.h>
 #include <pleura/nodes/standard/rendering/x3d_composed_geometry_node.h>
+#include <pleura/nodes/standard/shape/appearance.h>
 #include <pleura/nodes/thorax/deformable_shape2.h>
 
 namespace pleura {
@@ -28,7 +29,10 @@ void DeformableShape2::declare(NodeType& type) {
       .means("where they are moved to, one for each of contactIndex");
   type.field<&DeformableShape2::deformedCoord>("deformedCoord", outputOnly, {})
       .measuredIn(Unit::length)
-      .means("the shape now");
+      .means("the shape now, as it is without being touched");
+  type.field<&DeformableShape2::touchedCoord>("touchedCoord", outputOnly, {})
+      .measuredIn(Unit::length)
+      .means("the shape now, pressed in where a haptic device touches a surface that gives way");
   type.field<&DeformableShape2::volume>("volume", outputOnly, 0)
       .measuredIn(Unit::volume)
       .means("what the deformed surface encloses");
@@ -52,7 +56,18 @@ void DeformableShape2::onInitialize() {
   deformedCoord.routeNoEvent(top, id);
   deformedCoord.touch();
   origCoord.touch();
-  deformedCoord.route(coordinate->point);
+  deformedCoord.routeNoEvent(touchedCoord, id);
+  for (MFVec3f* touch : {&composed->contactPoint, &composed->contactNormal})
+    touch->routeNoEvent(touchedCoord, composed->id);
+  composed->contactDepth.routeNoEvent(touchedCoord, composed->id);
+  touchedCoord.touch();
+  touchedCoord.route(coordinate->point);
+}
+
+bool DeformableShape2::givesWay() {
+  auto* looks = dynamic_cast<Appearance*>(appearance.get());
+  auto* surface = looks != nullptr ? looks->surface.get() : nullptr;
+  return surface != nullptr && surface->givesWay();
 }
 
 const TriangleMesh& DeformableShape2::rest() {
@@ -121,6 +136,21 @@ void DeformableShape2::deform(std::vector<Vec3f>& positions) {
     solver->deform(driven_, targets_, positions);
   } catch (const std::invalid_argument& refused) {
     context().warn(*this, refused.what());
+  }
+}
+
+void DeformableShape2::Touched::update() {
+  auto& node = *static_cast<DeformableShape2*>(getOwner());
+  value = static_cast<MFVec3f*>(routes_in[0])->getValue();
+  const auto& point = static_cast<MFVec3f*>(routes_in[1])->getValue();
+  const auto& normal = static_cast<MFVec3f*>(routes_in[2])->getValue();
+  const auto& depth = static_cast<MFFloat*>(routes_in[3])->getValue();
+  if (depth.empty() || !node.givesWay()) return;
+  auto* solver = node.deformer.get();
+  for (std::size_t i = 0; i < std::min({point.size(), normal.size(), depth.size()}); ++i) {
+    const Dent dent{.point = point[i], .normal = normal[i], .depth = depth[i]};
+    solver != nullptr ? solver->give(dent, node.rest().triangles, value)
+                      : void(press(dent, node.rest().triangles, value));
   }
 }
 

@@ -6,13 +6,14 @@
 #include <pleura/fields/joined_field.h>
 #include <pleura/nodes/core/typed_node_field.h>
 #include <pleura/nodes/deformable/deformer_node.h>
+#include <pleura/nodes/standard/shape/touchable_shape.h>
 #include <pleura/nodes/standard/shape/x3d_shape_node.h>
 
 namespace pleura {
 
 /// A shape that deforms because some of its points are moved: an organ. Its geometry is an IndexedTriangleSet
-/// or IndexedFaceSet with a Coordinate, which shows `deformedCoord`. Nobody looks, nothing is computed.
-class DeformableShape2 : public X3DShapeNode {
+/// or IndexedFaceSet with a Coordinate, which shows `touchedCoord`. Nobody looks, nothing is computed.
+class DeformableShape2 : public X3DShapeNode, public TouchableShape {
  public:
   TypedSFNode<DeformerNode> deformer;
   MFVec3f origCoord;
@@ -27,6 +28,11 @@ class DeformableShape2 : public X3DShapeNode {
   };
   Deformed deformedCoord;
 
+  class Touched : public TypedField<MFVec3f, Types<MFVec3f, MFVec3f, MFVec3f, MFFloat>> {
+    void update() override;
+  };
+  Touched touchedCoord;
+
   class Volume : public TypedField<SFFloat, Types<MFVec3f>> {
     void update() override;
   };
@@ -39,6 +45,9 @@ class DeformableShape2 : public X3DShapeNode {
 
   /// The rest shape with its triangles.
   const TriangleMesh& rest();
+
+  MFVec3f& untouchedPoints() override { return deformedCoord; }
+  std::span<const Eigen::Vector3i> untouchedTriangles() override { return rest().triangles; }
 
   static void declare(NodeType& type);
 
@@ -53,6 +62,7 @@ class DeformableShape2 : public X3DShapeNode {
 
  private:
   void deform(std::vector<Vec3f>& positions);
+  bool givesWay();
   void takeRest();
   /// Every point is held: there is nothing left for the deformer to do.
   void takeTargets(std::vector<Vec3f>& positions);

@@ -11,7 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <pleura/nodes/standard/register.h>
+#include <pleura/nodes/built_in_nodes.h>
 #include <pleura/x3d/browser/scene/scene.h>
 #include <pleura/x3d/encoding/source_text.h>
 
@@ -43,7 +43,7 @@ void pleuraReader(benchmark::State& state) {
   for (auto _ : state) {
     Scene scene;
     NodeRegistry registry;
-    registerStandardNodes(registry);
+    registerBuiltInNodes(registry);
     PluginLoader plugins;
     Diagnostics diagnostics;
     const auto document = Reader(registry, plugins, scene, diagnostics).readText(source, ".");

@@ -65,8 +65,6 @@ class DocumentBuilder : public ElementHandler {
   void closeNode(const Open& closed);
   void place(const Open& child);
   void grow(const NodePtr& parent, const Open& child);
-  /// Where a relative url leads; nothing where the file may not read.
-  std::optional<std::filesystem::path> pathOf(const std::string& url) const;
   void loadInline(const Open& opened);
 
   void addComponent(const Attributes& attributes);

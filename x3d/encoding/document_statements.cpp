@@ -5,6 +5,7 @@
 #include <pleura/fields/errors.h>
 #include <pleura/fields/text.h>
 #include <pleura/nodes/standard/networking/inline.h>
+#include <pleura/x3d/encoding/allowed_path.h>
 #include <pleura/x3d/encoding/document_builder.h>
 
 // The statements of a file: what is no node.
@@ -115,22 +116,6 @@ void DocumentBuilder::importLibrary(const Attributes& attributes, std::size_t ta
   }
 }
 
-std::optional<std::filesystem::path> DocumentBuilder::pathOf(const std::string& url) const {
-  constexpr std::string_view kAnatomy = "anatomy/";
-  const auto& elsewhere = reader_.limits_.anatomyFolder;
-  const bool isMoved = !elsewhere.empty() && url.starts_with(kAnatomy);
-  const auto path = isMoved ? elsewhere / url.substr(kAnatomy.size()) : folder_ / url;
-  std::error_code ignored;
-  const auto file = std::filesystem::weakly_canonical(path, ignored);
-  const auto isBelow = [&](const std::filesystem::path& folder) {
-    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
-  };
-  const bool isAllowed =
-      reader_.limits_.outsideFolder || isBelow(reader_.root_) ||
-      (!elsewhere.empty() && isBelow(std::filesystem::weakly_canonical(elsewhere, ignored)));
-  return isAllowed ? std::optional(path) : std::nullopt;
-}
-
 void DocumentBuilder::loadInline(const Open& opened) {
   auto& node = dynamic_cast<Inline&>(*opened.node);
   if (!node.load.getValue()) return;
@@ -140,7 +125,7 @@ void DocumentBuilder::loadInline(const Open& opened) {
   for (const auto& url : urls) {
     tried += (tried.empty() ? "" : ", ") + url;
     if (url.find("://") != std::string::npos) continue;
-    const auto path = pathOf(url);
+    const auto path = allowedPath(url, folder_, reader_.root_, reader_.limits_);
     if (!path)
       return error(at, fmt::format("{}.url: {} is outside the scene's folder, which is not allowed",
                                    node.describe(), url));

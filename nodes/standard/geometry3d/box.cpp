@@ -5,7 +5,7 @@
 namespace pleura {
 
 void Box::declare(NodeType& type) {
-  Node::declare(type);
+  X3DGeometryNode::declare(type);
   type.named("Box", "Geometry3D", 1).containedIn("geometry").means("a box around the origin");
   using enum Access;
   type.field<&Box::size>("size", initializeOnly, Vec3f(2, 2, 2))

@@ -7,7 +7,7 @@
 namespace pleura {
 
 void Cone::declare(NodeType& type) {
-  Node::declare(type);
+  X3DGeometryNode::declare(type);
   type.named("Cone", "Geometry3D", 1)
       .containedIn("geometry")
       .means("a cone along the y axis, its tip on top");

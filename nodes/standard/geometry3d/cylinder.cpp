@@ -7,7 +7,7 @@
 namespace pleura {
 
 void Cylinder::declare(NodeType& type) {
-  Node::declare(type);
+  X3DGeometryNode::declare(type);
   type.named("Cylinder", "Geometry3D", 1).containedIn("geometry").means("a cylinder along the y axis");
   using enum Access;
   type.field<&Cylinder::bottom>("bottom", inputOutput, true).means("whether the bottom is drawn");

@@ -8,7 +8,7 @@
 namespace pleura {
 
 void Sphere::declare(NodeType& type) {
-  Node::declare(type);
+  X3DGeometryNode::declare(type);
   type.named("Sphere", "Geometry3D", 1).containedIn("geometry").means("a sphere around the origin");
   using enum Access;
   type.field<&Sphere::radius>("radius", initializeOnly, 1)

@@ -27,7 +27,7 @@ std::int32_t attributeNumber(const std::vector<std::int32_t>& index, bool perVer
 }
 
 void CoordinateGeometryNode::declare(NodeType& type) {
-  Node::declare(type);
+  X3DGeometryNode::declare(type);
   using enum Access;
   type.field<&CoordinateGeometryNode::attrib>("attrib", inputOutput, {})
       .means("attributes of vertices for shaders");

@@ -22,6 +22,9 @@ void Appearance::declare(NodeType& type) {
       .means("material of the faces, or of the front faces");
   type.field<&Appearance::pointProperties>("pointProperties", inputOutput, {}).means("how points are drawn");
   type.field<&Appearance::shaders>("shaders", inputOutput, {}).means("programs that draw the shape");
+  type.field<&Appearance::surface>("surface", inputOutput, {})
+      .extension()
+      .means("how the shape feels; none: it can't be touched");
   type.field<&Appearance::texture>("texture", inputOutput, {}).means("picture on the surface");
   type.field<&Appearance::textureTransform>("textureTransform", inputOutput, {})
       .means("how the texture lies on the surface");

@@ -5,10 +5,11 @@
 #include <pleura/nodes/standard/shape/point_properties.h>
 #include <pleura/nodes/standard/shape/x3d_appearance_node.h>
 #include <pleura/nodes/standard/shape/x3d_material_node.h>
+#include <pleura/nodes/standard/shape/x3d_surface_node.h>
 
 namespace pleura {
 
-/// Material and textures of a shape.
+/// Material and textures of a shape, and how it feels.
 class Appearance : public X3DAppearanceNode {
  public:
   SFNode acousticProperties;
@@ -20,6 +21,7 @@ class Appearance : public X3DAppearanceNode {
   TypedSFNode<X3DMaterialNode> material;
   TypedSFNode<PointProperties> pointProperties;
   MFNode shaders;
+  TypedSFNode<X3DSurfaceNode> surface;
   SFNode texture;
   SFNode textureTransform;
 

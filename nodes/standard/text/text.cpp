@@ -4,7 +4,7 @@
 namespace pleura {
 
 void Text::declare(NodeType& type) {
-  Node::declare(type);
+  X3DGeometryNode::declare(type);
   type.named("Text", "Text", 1).containedIn("geometry").means("lines of text in the plane z = 0");
   using enum Access;
   type.field<&Text::fontStyle>("fontStyle", inputOutput, {}).means("how the text is set");

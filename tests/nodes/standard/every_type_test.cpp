@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <pleura/nodes/standard/register.h>
+#include <pleura/nodes/built_in_nodes.h>
 #include <pleura/tests/nodes/test_context.h>
 
 namespace pleura {
@@ -8,7 +8,7 @@ namespace {
 
 class EveryType : public ::testing::Test {
  protected:
-  EveryType() { registerStandardNodes(registry); }
+  EveryType() { registerBuiltInNodes(registry); }
   NodeRegistry registry;
 };
 

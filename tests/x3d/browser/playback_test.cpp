@@ -7,7 +7,7 @@
 
 #include <pleura/fields/errors.h>
 #include <pleura/tests/x3d/browser/load_scene.h>
-#include <pleura/x3d/browser/scene/playback.h>
+#include <pleura/x3d/browser/playback/playback.h>
 
 namespace pleura {
 namespace {

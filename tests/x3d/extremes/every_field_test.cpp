@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <pleura/fields/errors.h>
-#include <pleura/nodes/standard/register.h>
+#include <pleura/nodes/built_in_nodes.h>
 #include <pleura/tests/x3d/browser/load_scene.h>
 #include <pleura/x3d/browser/render/renderer.h>
 #include <pleura/x3d/browser/scene/state_hash.h>
@@ -85,7 +85,7 @@ std::vector<std::string> said(const Scene& scene) {
 class EveryField : public testing::Test {
  protected:
   EveryField() {
-    registerStandardNodes(registry_);
+    registerBuiltInNodes(registry_);
     PluginLoader().load("thorax", registry_);
   }
 

@@ -23,6 +23,21 @@ std::string lower(std::string text) {
   return text;
 }
 
+/// "Left rib 4" of RIB_L4.
+std::string titleOf(const std::string& name) {
+  const auto underscore = name.find('_');
+  std::string part = lower(name.substr(0, underscore));
+  if (part == "cartilage") part = "costal cartilage";
+  const bool isOfASide = underscore != std::string::npos;
+  std::string title = part;
+  if (isOfASide) {
+    title = (name[underscore + 1] == 'L' ? "left " : "right ") + part;
+    if (const auto number = name.substr(underscore + 2); !number.empty()) title += " " + number;
+  }
+  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+  return title;
+}
+
 class ThoraxWriter {
  public:
   ThoraxWriter(const Anatomy& anatomy, const NodeRegistry& registry, const std::string& source)
@@ -71,6 +86,19 @@ class ThoraxWriter {
     thorax_.exports.emplace_back(node->getName(), node->getName());
   }
 
+  /// What people call the part.
+  void entitle(const NodePtr& node, const std::string& title) {
+    const auto metadata = maker_.make("MetadataString");
+    maker_.set<SFString>(metadata, "name", "title");
+    maker_.set<MFString>(metadata, "value", {title});
+    maker_.put(node, "metadata", metadata);
+  }
+
+  void addPart(const NodePtr& node) {
+    entitle(node, titleOf(node->getName()));
+    addExported(node);
+  }
+
   std::vector<NodePtr> addRibs() {
     std::vector<NodePtr> nodes;
     for (const auto& rib : anatomy_.ribs) {
@@ -84,7 +112,7 @@ class ThoraxWriter {
                  file(lower(rib.name),
                       fmt::format("rib {} {}", rib.number, rib.side == Side::Left ? "left" : "right"),
                       {shape(rib.mesh, Tissue::bone)}));
-      addExported(node);
+      addPart(node);
       nodes.push_back(node);
     }
     return nodes;
@@ -100,7 +128,7 @@ class ThoraxWriter {
     }
     maker_.set<MFVec3f>(node, "from", ends);
     maker_.put(node, "children", file("sternum", "sternum", {shape(anatomy_.sternum.mesh, Tissue::bone)}));
-    addExported(node);
+    addPart(node);
     return node;
   }
 
@@ -109,11 +137,12 @@ class ThoraxWriter {
     for (const auto& vertebra : anatomy_.vertebrae) {
       shapes.push_back(shape(vertebra.bone, Tissue::bone));
       shapes.back()->setName(vertebra.name);
+      entitle(shapes.back(), "Vertebra " + vertebra.name);
       shapes.push_back(shape(vertebra.disc, Tissue::cartilage));
     }
     const auto node = maker_.make("Group", "SPINE");
     maker_.put(node, "children", file("spine", "vertebrae T1 to T12 and the discs below them", shapes));
-    addExported(node);
+    addPart(node);
     return node;
   }
 
@@ -128,7 +157,7 @@ class ThoraxWriter {
       maker_.put(node, "appearance", appearanceOf(maker_, Tissue::cartilage));
       maker_.put(node, "geometry", triangleSet(maker_, cartilage.mesh, true, kPerMetre));
       maker_.put(node, "deformer", skin(cage_.cartilageWeights(k), bodies));
-      addExported(node);
+      addPart(node);
       nodes.push_back(node);
     }
     return nodes;
@@ -188,7 +217,7 @@ class ThoraxWriter {
     maker_.put(node, "appearance", appearanceOf(maker_, tissue));
     maker_.put(node, "geometry", triangleSet(maker_, mesh, isSolid, kPerMetre));
     maker_.put(node, "deformer", deformer);
-    addExported(node);
+    addPart(node);
     return node;
   }
 

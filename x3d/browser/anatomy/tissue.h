@@ -4,7 +4,7 @@
 
 namespace pleura {
 
-/// What a part is made of, as it looks.
+/// What a part is made of, as it looks and feels.
 enum class Tissue { bone, cartilage, muscle, lung };
 
 /// An Appearance for the tissue.

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <pleura/nodes/built_in_nodes.h>
 #include <pleura/nodes/core/plugin.h>
-#include <pleura/nodes/standard/register.h>
 #include <pleura/nodes/thorax/anatomy/from_meshes.h>
 #include <pleura/x3d/browser/anatomy/chain_files.h>
 #include <pleura/x3d/browser/anatomy/thorax_files.h>
@@ -51,7 +51,7 @@ Anatomy realAnatomy(const std::filesystem::path& folder) {
 
 void makeAnatomy(const Options& options) {
   NodeRegistry registry;
-  registerStandardNodes(registry);
+  registerBuiltInNodes(registry);
   PluginLoader().load(options.style, registry);
   const bool isReal = !options.from.empty();
   const Anatomy anatomy = isReal ? realAnatomy(options.from) : generateAnatomy();

@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <pleura/nodes/built_in_nodes.h>
 #include <pleura/nodes/deformable/mesh/refinement.h>
 #include <pleura/nodes/deformable/mesh/repair.h>
-#include <pleura/nodes/standard/register.h>
 #include <pleura/x3d/browser/anatomy/node_maker.h>
 #include <pleura/x3d/browser/commands/commands.h>
 #include <pleura/x3d/browser/commands/number_in.h>
@@ -83,7 +83,7 @@ void convertMesh(const Options& options) {
   for (const auto& line : imported.diagnostics)
     fmt::print(stderr, "{}: warning: {}\n", options.input.string(), line);
   NodeRegistry registry;
-  registerStandardNodes(registry);
+  registerBuiltInNodes(registry);
   const NodeMaker maker(registry);
   Document document;
   document.meta = {{"title", options.output.filename().string()},

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <pleura/nodes/built_in_nodes.h>
 #include <pleura/nodes/core/node_registry.h>
 #include <pleura/nodes/core/plugin.h>
-#include <pleura/nodes/standard/register.h>
 #include <pleura/x3d/browser/commands/commands.h>
 #include <pleura/x3d/browser/scene/reference.h>
 
@@ -22,7 +22,7 @@ struct Options {
 
 void printReference(const Options& options) {
   NodeRegistry registry;
-  registerStandardNodes(registry);
+  registerBuiltInNodes(registry);
   PluginLoader plugins;
   for (const auto& library : options.libraries) plugins.load(library, registry);
   std::vector<const NodeType*> types = registry.types();

@@ -24,7 +24,9 @@ void addPlayCommand(CLI::App& app) {
   command->callback([options] {
     const auto scene = options->load();
     for (const auto& assignment : options->playback.set) scene->set(assignment);
-    Player(*scene, options->width, options->height, options->file.filename().string()).run(options->seconds);
+    Player(*scene, options->playback.touch, options->width, options->height,
+           options->file.filename().string())
+        .run(options->seconds);
   });
 }
 

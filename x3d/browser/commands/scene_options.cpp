@@ -12,6 +12,10 @@ void SceneOptions::addTo(CLI::App& command) {
   command.add_flag("--allow-outside", allowOutside, "Let Inlines read outside the scene's folder");
   command.add_option("--set", playback.set, "DEF.field=VALUE before the first tick; repeat for more")
       ->allow_extra_args(false);
+  command.add_option("--device", playback.touch.device,
+                     "Haptic device in place of the scene's: simulated, phantom, recorded");
+  command.add_option("--stylus", playback.touch.stylus,
+                     "Path of the simulated stylus (CSV), or the recording");
 }
 
 void SceneOptions::addPlaybackTo(CLI::App& command) {
@@ -20,15 +24,11 @@ void SceneOptions::addPlaybackTo(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--csv", playback.csv, "Where the watched fields are written, a row a step");
   command.add_option("--keys", playback.keys, "Keys at times, as \"2.0:p 4.0:p\"");
-  command.add_option("--device", device, "Name of the haptic device to use");
-  command.add_option("--stylus", stylus, "Path of the simulated stylus (CSV)");
   command.add_flag("--stats", stats, "Print milliseconds, updates and solves per tick as JSON");
   command.add_flag("--hash", hash, "Print a hash of the state at the end");
 }
 
 std::unique_ptr<Scene> SceneOptions::load() const {
-  if (!device.empty() || !stylus.empty())
-    throw UsageError("this Pleura has no haptic devices yet: --device and --stylus can't be used");
   auto scene = std::make_unique<Scene>();
   ReaderLimits limits;
   limits.outsideFolder = allowOutside;
@@ -50,7 +50,7 @@ void SceneOptions::tellDiagnostics(const Scene& scene) const {
 
 void SceneOptions::report(Scene& scene, const Playback& done) const {
   tellDiagnostics(scene);
-  if (stats) fmt::print("{}\n", done.statistics().toJson());
+  if (stats) fmt::print("{}\n", done.statistics().toJson(done.touch().statistics()));
   if (hash) fmt::print("{:016x}\n", stateHash(scene));
 }
 

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <pleura/x3d/browser/scene/playback.h>
+#include <pleura/x3d/browser/playback/playback.h>
 #include <pleura/x3d/browser/scene/scene.h>
 
 namespace pleura {
@@ -17,8 +17,6 @@ struct SceneOptions {
   std::filesystem::path anatomy;
   bool allowOutside = false;
   PlaybackOptions playback;
-  std::string device;
-  std::filesystem::path stylus;
   bool stats = false;
   bool hash = false;
 

@@ -5,8 +5,9 @@
 
 #include <pleura/fields/errors.h>
 #include <pleura/fields/periodic_update.h>
-#include <pleura/nodes/standard/register.h>
+#include <pleura/nodes/built_in_nodes.h>
 #include <pleura/x3d/browser/scene/scene.h>
+#include <pleura/x3d/encoding/allowed_path.h>
 
 namespace pleura {
 
@@ -20,7 +21,7 @@ namespace {
 
 }  // namespace
 
-Scene::Scene() { registerStandardNodes(registry_); }
+Scene::Scene() { registerBuiltInNodes(registry_); }
 
 /// What lists every node is emptied first: each node would search it as it goes.
 Scene::~Scene() {
@@ -30,6 +31,7 @@ Scene::~Scene() {
 
 void Scene::load(const std::filesystem::path& file, ReaderLimits limits) {
   file_ = file.string();
+  limits_ = limits;
   document_ = Reader(registry_, plugins_, *this, diagnostics_, limits).readFile(file);
 }
 
@@ -43,6 +45,13 @@ void Scene::key(const KeyEvent& event) {
   for (auto* listener : listeners)
     if (std::find(keyListeners_.begin(), keyListeners_.end(), listener) != keyListeners_.end())
       listener->onKey(event);
+}
+
+std::filesystem::path Scene::fileOf(const std::string& url) const {
+  const auto folder = std::filesystem::path(file_).parent_path();
+  const auto path = allowedPath(url, folder, std::filesystem::weakly_canonical(folder), limits_);
+  if (!path) throw FileError(fmt::format("{} is outside the scene's folder, which is not allowed", url));
+  return *path;
 }
 
 Node& Scene::node(std::string_view def) const {

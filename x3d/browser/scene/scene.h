@@ -43,6 +43,10 @@ class Scene : public SceneContext {
   /// The value from its text, as "DEF.field=VALUE". Throws UnknownNameError, FieldError.
   void set(std::string_view assignment);
 
+  /// The file that a node's url names, beside the scene's own file. Throws FileError when it is outside of
+  /// the scene's folder, which has to be allowed.
+  std::filesystem::path fileOf(const std::string& url) const;
+
   Document& document() { return document_; }
   const Diagnostics& diagnostics() const { return diagnostics_; }
   const NodeRegistry& registry() const { return registry_; }
@@ -54,6 +58,7 @@ class Scene : public SceneContext {
   NodeRegistry registry_;
   PluginLoader plugins_;
   std::string file_;
+  ReaderLimits limits_;
   std::set<std::string> warned_;  // a warning that comes every tick is told once
   Document document_;             // last: its nodes may use all the others when they go
 };

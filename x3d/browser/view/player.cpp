@@ -53,15 +53,17 @@ void collectViewpoints(const NodePtr& node, std::vector<X3DViewpointNode*>& foun
 
 }  // namespace
 
-Player::Player(Scene& scene, int width, int height, const std::string& title)
+Player::Player(Scene& scene, const TouchOptions& touch, int width, int height, const std::string& title)
     : scene_(scene),
       rate_(breathField<SFFloat>(scene, "rate")),
       depth_(breathField<SFFloat>(scene, "depth")),
       paused_(breathField<SFBool>(scene, "paused")),
+      touch_(scene, touch, TouchSession::Clock::real),
       view_(scene),
       title_("Pleura - " + title),
       window_(width, height, title_),
       renderer_(window_.context()) {
+  touch_.open();
   window_.events.key = [this](const auto& event) { onKey(event); };
   window_.events.character = [this](char32_t character) { onCharacter(character); };
   window_.events.mouseMove = [this](const auto& event) { onMove(event); };
@@ -154,7 +156,9 @@ void Player::run(double seconds) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   while (!window_.closeRequested() && (seconds <= 0 || now() < seconds)) {
-    scene_.tick(now());
+    const double time = now();
+    scene_.tick(time);
+    touch_.advance(time);
     drawFrame();
     showBreath();
     window_.poll();

@@ -7,6 +7,7 @@
 #include <pleura/x3d/browser/render/renderer.h>
 #include <pleura/x3d/browser/render/window.h>
 #include <pleura/x3d/browser/scene/scene.h>
+#include <pleura/x3d/browser/touch/touch_session.h>
 #include <pleura/x3d/browser/view/scene_view.h>
 
 namespace pleura {
@@ -17,8 +18,9 @@ namespace pleura {
 /// and depth (up, down), and the title shows them.
 class Player {
  public:
-  /// Throws std::runtime_error when there is no display.
-  Player(Scene& scene, int width, int height, const std::string& title);
+  /// Throws std::runtime_error when there is no display, haptics::DeviceError for a device asked for that
+  /// there is not.
+  Player(Scene& scene, const TouchOptions& touch, int width, int height, const std::string& title);
 
   /// Until the window is closed, or for so many seconds if above 0.
   void run(double seconds);
@@ -38,6 +40,7 @@ class Player {
   SFFloat* rate_;   // of BREATH; null where there is none
   SFFloat* depth_;  // the same
   SFBool* paused_;  // the same
+  TouchSession touch_;
   SceneView view_;
   std::string title_;
   std::string breath_;  // as the title shows it

@@ -1,10 +1,11 @@
 #include <stdexcept>
 
+#include <pleura/nodes/haptic/device_info.h>
 #include <pleura/nodes/standard/environmental_effects/background.h>
-#include <pleura/nodes/standard/grouping/transform.h>
 #include <pleura/nodes/standard/navigation/lod.h>
 #include <pleura/nodes/standard/navigation/navigation_info.h>
 #include <pleura/x3d/browser/render/validate.h>
+#include <pleura/x3d/browser/scene/traversal.h>
 #include <pleura/x3d/browser/view/billboard_turn.h>
 #include <pleura/x3d/browser/view/light.h>
 #include <pleura/x3d/browser/view/scene_view.h>
@@ -14,17 +15,6 @@
 namespace pleura {
 
 namespace {
-
-/// What of a node's inside is displayed, and how it is placed.
-std::span<const NodePtr> inside(Node& node) {
-  auto* object = dynamic_cast<X3DBoundedObject*>(&node);
-  return object != nullptr ? object->displayed() : std::span<const NodePtr>();
-}
-
-Matrix4f placed(Node& node, const Matrix4f& toWorld) {
-  auto* transform = dynamic_cast<Transform*>(&node);
-  return transform != nullptr ? Matrix4f(toWorld * transform->matrix.getValue()) : toWorld;
-}
 
 template <class T>
 T* bound(Scene& scene, std::string_view kind) {
@@ -113,6 +103,7 @@ void SceneView::visit(const NodePtr& node, const Matrix4f& toWorld, std::uint32_
     if (shape->visible.getValue()) addShape(*shape, toWorld, lights);
     return;
   }
+  if (auto* info = dynamic_cast<DeviceInfo*>(node.get())) return visitStyli(*info, lights);
   if (auto* levels = dynamic_cast<LOD*>(node.get())) levels->seeFrom(viewerIn(list_.camera.view * toWorld));
   const auto children = inside(*node);
   if (children.empty()) return;
@@ -120,6 +111,18 @@ void SceneView::visit(const NodePtr& node, const Matrix4f& toWorld, std::uint32_
   if (auto* billboard = dynamic_cast<Billboard*>(node.get()))
     below = toWorld * billboardTurn(*billboard, toWorld, list_.camera.view);
   visitAll(children, below, lights);
+}
+
+void SceneView::visitStyli(DeviceInfo& info, std::uint32_t lights) {
+  if (!info.isBound.getValue()) return;
+  for (const auto& node : info.device.getValue()) {
+    auto* device = dynamic_cast<HapticsDeviceNode*>(node.get());
+    if (device == nullptr || !device->stylus.getValue() || !device->isConnected.getValue()) continue;
+    Eigen::Affine3f toWorld = Eigen::Affine3f::Identity();
+    toWorld.translate(device->tipPosition.getValue());
+    toWorld.rotate(device->trackerOrientation.getValue().quaternion());
+    visit(device->stylus.getValue(), toWorld.matrix(), lights);
+  }
 }
 
 void SceneView::addShape(X3DShapeNode& shape, const Matrix4f& toWorld, std::uint32_t lights) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <pleura/nodes/haptic/device_info.h>
 #include <pleura/nodes/standard/lighting/x3d_light_node.h>
 #include <pleura/nodes/standard/rendering/x3d_geometry_node.h>
 #include <pleura/nodes/standard/shape/x3d_shape_node.h>
@@ -53,6 +54,8 @@ class SceneView {
   void visit(const NodePtr& node, const Matrix4f& toWorld, std::uint32_t lights);
   void visitAll(std::span<const NodePtr> nodes, const Matrix4f& toWorld, std::uint32_t lights);
   std::uint32_t lightsAmong(std::span<const NodePtr> nodes, const Matrix4f& toWorld);
+  /// The styli of the devices in use, where their tips are.
+  void visitStyli(DeviceInfo& info, std::uint32_t lights);
   void addShape(X3DShapeNode& shape, const Matrix4f& toWorld, std::uint32_t lights);
   render::Geometry* geometryOf(const NodePtr& node);
   static void updateMesh(render::Geometry& out, const RenderMesh& mesh);

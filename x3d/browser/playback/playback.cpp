@@ -2,7 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <pleura/x3d/browser/scene/playback.h>
+#include <pleura/x3d/browser/playback/playback.h>
 
 namespace pleura {
 
@@ -10,11 +10,13 @@ Playback::Playback(Scene& scene, const PlaybackOptions& options)
     : scene_(scene),
       step_(options.step),
       keys_(parseKeys(options.keys)),
+      touch_(scene, options.touch, TouchSession::Clock::virtualTime),
       table_(scene, options.watch),
       csvFile_(options.csv) {
   if (!std::isfinite(step_) || step_ < 1e-6 || step_ > 1e3)
     throw std::invalid_argument("step: expected 1e-6 to 1e3 seconds");
   for (const auto& assignment : options.set) scene.set(assignment);
+  touch_.open();
   if (csvFile_.empty()) return;
   csv_.open(csvFile_);
   if (!csv_) throw FileError(csvFile_.string() + ": can't be written");
@@ -38,6 +40,7 @@ void Playback::tick(Time now, const std::function<void(Time)>& afterTick) {
   }
   statistics_.begin();
   scene_.tick(now);
+  touch_.advance(now);
   if (afterTick) afterTick(now);
   if (csv_.is_open()) {
     if (ticks_ == 0) table_.writeHeader(csv_);

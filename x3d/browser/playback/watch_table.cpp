@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <pleura/fields/errors.h>
-#include <pleura/x3d/browser/scene/watch_table.h>
+#include <pleura/x3d/browser/playback/watch_table.h>
 
 namespace pleura {
 

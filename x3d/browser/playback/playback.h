@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
-#include <pleura/x3d/browser/scene/key_script.h>
+#include <pleura/x3d/browser/playback/key_script.h>
+#include <pleura/x3d/browser/playback/tick_statistics.h>
+#include <pleura/x3d/browser/playback/watch_table.h>
 #include <pleura/x3d/browser/scene/scene.h>
-#include <pleura/x3d/browser/scene/tick_statistics.h>
-#include <pleura/x3d/browser/scene/watch_table.h>
+#include <pleura/x3d/browser/touch/touch_session.h>
 
 namespace pleura {
 
@@ -22,14 +23,15 @@ struct PlaybackOptions {
   std::string keys = {};                // see parseKeys
   std::vector<std::string> watch = {};  // "DEF.field"
   std::filesystem::path csv = {};       // where the watched fields go; empty: nowhere
+  TouchOptions touch = {};
 };
 
-/// A scene moved along by a virtual clock from time 0: keys at their times, a row of the table a step, costs
-/// counted. Ticks are at k * step, so that nothing drifts and every run is the same.
+/// A scene moved along by a virtual clock from time 0: keys at their times, touch, a row of the table a step,
+/// costs counted. Ticks are at k * step, so that nothing drifts and every run is the same.
 class Playback {
  public:
-  /// Throws std::invalid_argument, UnknownNameError, FieldError, FileError for options that do not fit the
-  /// scene.
+  /// Throws std::invalid_argument, UnknownNameError, FieldError, FileError, haptics::DeviceError for options
+  /// that do not fit the scene.
   Playback(Scene& scene, const PlaybackOptions& options);
 
   /// Ticks until `time` [s] inclusive. `afterTick` sees the scene at each, within the tick's measured cost;
@@ -38,6 +40,7 @@ class Playback {
 
   Time now() const { return static_cast<double>(ticks_) * step_; }
   const TickStatistics& statistics() const { return statistics_; }
+  const TouchSession& touch() const { return touch_; }
 
  private:
   void tick(Time now, const std::function<void(Time)>& afterTick);
@@ -46,6 +49,7 @@ class Playback {
   double step_;
   std::vector<TimedKey> keys_;
   std::size_t nextKey_ = 0;
+  TouchSession touch_;  // before the table: it may bring a node to watch
   WatchTable table_;
   std::filesystem::path csvFile_;
   std::ofstream csv_;

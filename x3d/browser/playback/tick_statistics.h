@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <pleura/fields/counters.h>
+#include <pleura/x3d/browser/touch/touch_session.h>
 
 namespace pleura {
 
@@ -17,8 +18,10 @@ class TickStatistics {
   std::size_t ticks() const { return milliseconds_.size(); }
   /// Of the ticks' milliseconds, q in [0, 1]; 0 before the first.
   double quantile(double q) const;
-  /// JSON: ticks, msPerTick {median, p99, max}, updatesPerTick, eventsPerTick, solvesPerTick.
-  std::string toJson() const;
+  /// JSON: ticks, msPerTick {median, p99, max}, updatesPerTick, eventsPerTick, solvesPerTick; and of haptic
+  /// loops, where there are: haptics {ticks, missed, usPeriod {p50, p99, p99.9, max}, treesBuilt,
+  /// treesRefitted}.
+  std::string toJson(const TouchSession::Statistics& touch = {}) const;
 
  private:
   std::vector<double> milliseconds_;

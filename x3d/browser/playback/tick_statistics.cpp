@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include <pleura/nodes/deformable/solve_counter.h>
-#include <pleura/x3d/browser/scene/tick_statistics.h>
+#include <pleura/x3d/browser/playback/tick_statistics.h>
 
 namespace pleura {
 
@@ -31,14 +31,25 @@ double TickStatistics::quantile(double q) const {
   return *nth;
 }
 
-std::string TickStatistics::toJson() const {
+std::string TickStatistics::toJson(const TouchSession::Statistics& touch) const {
   const double count = std::max<double>(1, static_cast<double>(ticks()));
-  const nlohmann::ordered_json json{
+  nlohmann::ordered_json json{
       {"ticks", ticks()},
       {"msPerTick", {{"median", quantile(0.5)}, {"p99", quantile(0.99)}, {"max", quantile(1)}}},
       {"updatesPerTick", static_cast<double>(spent_.updates) / count},
       {"eventsPerTick", static_cast<double>(spent_.events) / count},
       {"solvesPerTick", static_cast<double>(solves_) / count}};
+  constexpr double kMicroseconds = 1e6;
+  if (touch.ticks > 0)
+    json["haptics"] = {{"ticks", touch.ticks},
+                       {"missed", touch.missed},
+                       {"usPeriod",
+                        {{"p50", touch.p50 * kMicroseconds},
+                         {"p99", touch.p99 * kMicroseconds},
+                         {"p99.9", touch.p999 * kMicroseconds},
+                         {"max", touch.longest * kMicroseconds}}},
+                       {"treesBuilt", touch.treesBuilt},
+                       {"treesRefitted", touch.treesRefitted}};
   return json.dump(2);
 }
 

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <pleura/x3d/browser/scene/key_script.h>
+#include <pleura/x3d/browser/playback/key_script.h>
 
 namespace pleura {
 

@@ -1,0 +1,51 @@
+#include <pleura/haptics/safety/force_limiter.h>
+#include <pleura/haptics/servo/force_guard.h>
+
+namespace pleura::haptics {
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double kRiseTime = 0.05;  // [s]
+
+bool isFinite(const DeviceState& state) {
+  return state.position.allFinite() && state.velocity.allFinite() && state.orientation.coeffs().allFinite();
+}
+
+}  // namespace
+
+ForceGuard::ForceGuard(const DeviceCapabilities& device, double period)
+    : device_(device), period_(period), rise_(kRiseTime), controller_(device.damping) {}
+
+void ForceGuard::restart() {
+  rise_.restart();
+  observer_.restart();
+  controller_.restart();
+}
+
+void ForceGuard::noteLost() {
+  watchdog_.allows({.hasDevice = false}, period_);
+  restart();
+}
+
+GuardedForce ForceGuard::guard(const Rendered& rendered, const DeviceState& state, bool hasMissedDeadline) {
+  const bool isSane = isFinite(state) && rendered.contact.allFinite() && rendered.effects.allFinite() &&
+                      rendered.carried.allFinite();
+  if (!watchdog_.allows({.hasMissedDeadline = hasMissedDeadline, .isFinite = isSane}, period_)) {
+    restart();
+    return {.force = Vector3d::Zero(), .isStopped = true};
+  }
+  carried_ += rendered.carried;
+  const Vector3d velocity = state.velocity - rendered.carried / period_;
+  controller_.observe(observer_.observe(state.position - carried_));
+  const bool isTouching = !rendered.contact.isZero(0) || !rendered.effects.isZero(0);
+  const double gain = rise_.gain(isTouching, period_);
+  const Vector3d contact = controller_.damped(gain * rendered.contact, velocity, period_);
+  const double limit = rendered.limit >= 0 ? std::min(rendered.limit, device_.maxForce) : device_.maxForce;
+  const Vector3d given = limited(contact + gain * rendered.effects, limit);
+  observer_.hold(given - gain * rendered.effects);
+  return {.force = given, .isStopped = false};
+}
+
+}  // namespace pleura::haptics
