@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, kColumns> kColumnNames = {"time", "x",  "
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r";
   const auto first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
+  if (first == std::string_view::npos) return text.substr(text.size());
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
@@ -175,7 +175,7 @@ class PathReader {
   void addFault(std::string_view cell, const std::string& message) {
     if (++faults_ > kMostListed) return;
     if (faults_ > 1) list_ += '\n';
-    list_ += fmt::format("{}:{}:{}: {}", name_, lineNumber_,
+    list_ += fmt::format("{}:{}:{}: {}", name_, std::max<std::size_t>(1, lineNumber_),
                          cell.data() == nullptr ? 1 : cell.data() - line_.data() + 1, message);
   }
 
