@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <pleura/haptics/safety/force_limiter.h>
 #include <pleura/haptics/servo/force_guard.h>
 
@@ -16,12 +18,11 @@ bool isFinite(const DeviceState& state) {
 }  // namespace
 
 ForceGuard::ForceGuard(const DeviceCapabilities& device, double period)
-    : device_(device), period_(period), rise_(kRiseTime), controller_(device.damping) {}
+    : device_(device), period_(period), rise_(kRiseTime) {}
 
 void ForceGuard::restart() {
   rise_.restart();
   observer_.restart();
-  controller_.restart();
 }
 
 void ForceGuard::noteLost() {
@@ -38,10 +39,12 @@ GuardedForce ForceGuard::guard(const Rendered& rendered, const DeviceState& stat
   }
   carried_ += rendered.carried;
   const Vector3d velocity = state.velocity - rendered.carried / period_;
-  controller_.observe(observer_.observe(state.position - carried_));
+  const double energy = observer_.observe(state.position - carried_);
   const bool isTouching = !rendered.contact.isZero(0) || !rendered.effects.isZero(0);
   const double gain = rise_.gain(isTouching, period_);
-  const Vector3d contact = controller_.damped(gain * rendered.contact, velocity, period_);
+  // A quarter of what would stop the tip within a period: velocities from encoders lag behind.
+  const double mostDamping = device_.mass / (4 * period_);
+  const Vector3d contact = passivated(gain * rendered.contact, velocity, energy, period_, mostDamping);
   const double limit = rendered.limit >= 0 ? std::min(rendered.limit, device_.maxForce) : device_.maxForce;
   const Vector3d given = limited(contact + gain * rendered.effects, limit);
   observer_.hold(given - gain * rendered.effects);

@@ -43,7 +43,6 @@ class ForceGuard {
   double period_;
   ForceRise rise_;
   PassivityObserver observer_;
-  PassivityController controller_;
   Watchdog watchdog_;
   Eigen::Vector3d carried_ = Eigen::Vector3d::Zero();  // sum of all
 };

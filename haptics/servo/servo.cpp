@@ -32,6 +32,17 @@ const TouchFrameShape* sameShape(const TouchFrame& before, const TouchFrameShape
   return found != before.shapes.end() ? &*found : nullptr;
 }
 
+/// How far [m] what is touched went since the last tick, each contact by its share of the depth.
+Vector3d motionOf(std::span<const ProxyContact> contacts) {
+  Vector3d sum = Vector3d::Zero();
+  double depth = 0;
+  for (const ProxyContact& contact : contacts) {
+    sum += std::abs(contact.depth) * contact.motion;
+    depth += std::abs(contact.depth);
+  }
+  return depth > 0 ? Vector3d(sum / depth) : sum;
+}
+
 }  // namespace
 
 Servo::Servo(HapticDevice& device, double period)
@@ -77,12 +88,13 @@ ForceGuard::Rendered Servo::render(const Tracked& tracked, double time) {
   proxy_.follow(shapes, tracked.position);
   const Eigen::Matrix3d toDevice = now.workspace.placement.linear().transpose();
   const double scale = now.workspace.scale;
-  ForceGuard::Rendered rendered{.carried = toDevice * proxy_.carried() / scale, .limit = now.forceLimit};
+  ForceGuard::Rendered rendered{.carried = toDevice * motionOf(proxy_.contacts()) / scale,
+                                .limit = now.forceLimit};
   const bool isAllowed = now.isEnabled && (!now.deadmansSwitch || (state_.buttons & 1) != 0);
   const Vector3d effects = effectForces(tracked, time);
   if (!isAllowed) return rendered;
   // A surface's stiffness is that of the hand's metres: a workspace drawn large makes nothing harder.
-  rendered.contact = toDevice * contactForce(shapes, proxy_, tracked.position, tracked.velocity) / scale;
+  rendered.contact = toDevice * contactForce(proxy_, tracked.position, tracked.velocity, period_) / scale;
   rendered.effects = toDevice * effects;
   return rendered;
 }

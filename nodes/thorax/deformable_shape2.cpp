@@ -58,8 +58,8 @@ void DeformableShape2::onInitialize() {
   origCoord.touch();
   deformedCoord.routeNoEvent(touchedCoord, id);
   for (MFVec3f* touch : {&composed->contactPoint, &composed->contactNormal})
-    touch->routeNoEvent(touchedCoord, composed->id);
-  composed->contactDepth.routeNoEvent(touchedCoord, composed->id);
+    touch->routeNoEvent(touchedCoord, id);
+  composed->contactDepth.routeNoEvent(touchedCoord, id);
   touchedCoord.touch();
   touchedCoord.route(coordinate->point);
 }
