@@ -238,7 +238,7 @@ Vector3d Proxy::stepFrom(const Planes& planes, const HalfSpaceProjection& touchi
           std::min(part, std::max(0.0, active.normal.dot(position_) - planes[active.label].offset) / closing);
   }
   if (part == 1) return free.point();
-  anchor = position_ + part * (target - position_);
+  anchor = planes.project(position_ + part * (target - position_), kEverywhere).point();
   return anchor;
 }
 

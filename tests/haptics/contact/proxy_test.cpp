@@ -46,5 +46,42 @@ TEST(Proxy, RestsOnTheNearestPlaceOfASphere) {
   }
 }
 
+/// Sixty frames of 33 ticks, each `perFrame` [m] larger than the one before; the device stays 1 mm inside of
+/// where the surface was or, if it follows, is.
+void expectNeverLost(double perFrame, bool follows) {
+  constexpr int frames = 60, ticks = 33;
+  const Surface surface = surfaces::sphere(60, 50, 0.05);
+  Touchable sphere(surface);
+  const Vector3d direction = Vector3d(1, 2, 3).normalized();
+  Proxy proxy(radius);
+  proxy.reset(direction * 0.055);
+  follow(proxy, sphere, direction * 0.049);
+  ASSERT_FALSE(proxy.contacts().empty());
+  int lost = 0;
+  double overlap = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    const double size = 1 + perFrame * (frame + 1) / 0.05;
+    std::vector<Vector3f> points = surface.points;
+    for (Vector3f& p : points) p *= static_cast<float>(size);
+    sphere.goTo(points);
+    for (int tick = 1; tick <= ticks; ++tick) {
+      sphere.shape.s = static_cast<float>(tick) / ticks;
+      const double now = 0.05 + perFrame * (frame + sphere.shape.s);
+      follow(proxy, sphere, direction * (follows ? now - 0.001 : std::min(now, 0.05) - 0.001));
+      lost += proxy.contacts().empty() ? 1 : 0;
+    }
+    overlap = std::max(overlap, radius - surfaces::distanceTo(sphere.shape, proxy.position()));
+  }
+  EXPECT_EQ(lost, 0) << perFrame << " m a frame";
+  EXPECT_LT(overlap, 1e-9) << perFrame << " m a frame";
+}
+
+TEST(Proxy, NeverLosesASurfaceThatGrowsOrShrinks) {
+  for (const double perFrame : {1e-6, 1e-5, 2e-4, 7e-4, 1e-3, -1e-6, -1e-5, -2e-4, -7e-4}) {
+    expectNeverLost(perFrame, true);
+    expectNeverLost(perFrame, false);
+  }
+}
+
 }  // namespace
 }  // namespace pleura::haptics
