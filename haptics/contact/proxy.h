@@ -1,26 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
-#include <pleura/haptics/contact/touch_mesh.h>
-#include <pleura/haptics/contact/touch_surface.h>
+#include <pleura/haptics/contact/half_space_projection.h>
+#include <pleura/haptics/contact/neighbourhood.h>
+#include <pleura/haptics/contact/touch_shape.h>
 
 namespace pleura::haptics {
-
-/// A touchable shape at one instant: its points are (1 - s) from + s to, in a frame that stands in the world
-/// at `pose`. What is pointed to outlives the call that it is given to.
-struct TouchShape {
-  std::uint32_t id = 0;  // the same in every instant
-  const TouchMesh* mesh = nullptr;
-  const TouchMeshFrame* from = nullptr;
-  const TouchMeshFrame* to = nullptr;  // the same as `from` for a rigid shape
-  float s = 1;                         // 0..1
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  TouchSurface surface;
-};
 
 /// One of the places where the proxy rests on a shape, in world space.
 struct ProxyContact {
@@ -29,11 +19,20 @@ struct ProxyContact {
   Eigen::Vector3d weights;  // barycentric, of the triangle's corners
   Eigen::Vector3d point;    // [m] on the surface
   Eigen::Vector3d normal;   // unit, from the surface to the proxy's centre
-  double depth = 0;  // [m] that the device is in along the normal, >= 0: its share where contacts are several
+  Eigen::Vector3d motion;   // [m] that the surface went there since the last tick
+  /// [m] that the device is in along the normal, >= 0: proxy - device = sum depth * normal + what friction
+  /// holds back. Below 0 only where a magnetic surface holds the proxy and the device is off it.
+  double depth = 0;
+  TouchSurface surface;
 };
 
 /// A ball that follows the device and never goes through a surface (Zilles and Salisbury 1995, Ruspini 1997),
 /// whatever the surface does meanwhile: what it rests on carries it along.
+///
+/// A triangle is convex, so it lies on one side of the plane through its point nearest to the ball and across
+/// the way there. As long as the centre stays one radius off that plane on the other side, the whole straight
+/// way is clear of the triangle. A step therefore goes to the point nearest to the device that all these
+/// half-spaces have in common, and steps follow each other until none goes any nearer.
 class Proxy {
  public:
   static constexpr int kMaxContacts = 3;
@@ -41,16 +40,45 @@ class Proxy {
   /// radius [m] > 0 of the ball.
   explicit Proxy(double radius);
 
-  /// Puts the ball there, touching nothing.
+  /// Puts the ball there, touching nothing. What it stands in or behind isn't felt until the ball has left
+  /// it.
   void reset(const Eigen::Vector3d& position);
 
   /// One haptic tick: what it touched carries it, then it goes as near to the device as surfaces and friction
-  /// let it. No allocation.
+  /// let it. A device position that isn't finite, or is beyond 1e6 m, counts as the last good one. No
+  /// allocation.
   void follow(std::span<const TouchShape> shapes, const Eigen::Vector3d& device);
 
+  double radius() const { return radius_; }
   /// [m], of the centre.
-  const Eigen::Vector3d& position() const;
-  std::span<const ProxyContact> contacts() const;
+  const Eigen::Vector3d& position() const { return position_; }
+  std::span<const ProxyContact> contacts() const {
+    return {contacts_.data(), static_cast<std::size_t>(contactCount_)};
+  }
+
+ private:
+  /// The half-space that a triangle leaves to the centre: normal . x >= offset.
+  struct Plane {
+    Eigen::Vector3d normal;
+    double offset;
+    double gap;  // [m] between ball and triangle
+    TrianglePoint on;
+    const Neighbourhood::Triangle* triangle;
+  };
+  struct Planes;
+
+  Eigen::Vector3d carried() const;
+  Eigen::Vector3d stepFrom(const Planes& planes, const HalfSpaceProjection& touching,
+                           const Eigen::Vector3d& target, Eigen::Vector3d& anchor, bool& slips) const;
+  void rest(const Planes& planes, const HalfSpaceProjection& touching);
+
+  double radius_;
+  Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d device_ = Eigen::Vector3d::Zero();
+  Neighbourhood near_;
+  std::array<ProxyContact, kMaxContacts> contacts_;
+  int contactCount_ = 0;
+  bool slides_ = false;
 };
 
 }  // namespace pleura::haptics

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,13 +14,63 @@ namespace pleura::haptics {
 class TouchMesh {
  public:
   /// Throws std::invalid_argument on no triangles, indices out of range and points that are not finite.
-  /// Triangles without area are kept out of the tree. O(n log n).
+  /// Triangles without area are kept out of the tree. Points at one place count as one where the surface's
+  /// sides are told. O(n log n).
   TouchMesh(std::span<const Eigen::Vector3f> points, std::span<const Eigen::Vector3i> triangles);
+
+  std::size_t pointCount() const { return welded_.size(); }
+  std::span<const Eigen::Vector3i> triangles() const { return triangles_; }
+  /// Different for every mesh of the process.
+  std::uint64_t serial() const { return serial_; }
+
+  /// Every edge has a triangle on either side: nobody comes to the back without going through.
+  bool isClosed() const { return closed_; }
+
+  /// The triangles about a point.
+  std::span<const int> incident(int point) const;
+  /// The same for two points at one place.
+  int welded(int point) const { return welded_[point]; }
+
+  /// Up to four boxes, or triangles, a node; parents before children.
+  struct Child {
+    int first;
+    int count;  // of triangles, ordered()[first] and on; 0: `first` is a node
+  };
+  struct Node {
+    std::array<Child, 4> children;
+    int childCount = 0;
+  };
+  std::span<const Node> nodes() const { return nodes_; }
+  std::span<const int> ordered() const { return ordered_; }
+
+ private:
+  void weld(std::span<const Eigen::Vector3f> points);
+  void findIncident();
+  bool everyEdgeHasTwoSides() const;
+  Child build(std::span<const Eigen::Vector3f> centroids, int begin, int end);
+  int split(std::span<const Eigen::Vector3f> centroids, int begin, int end);
+
+  std::vector<Eigen::Vector3i> triangles_;
+  std::vector<int> welded_;         // the first point at the same place
+  std::vector<int> incidentBegin_;  // of welded points
+  std::vector<int> incident_;
+  std::vector<int> ordered_;  // triangles, a leaf's next to each other
+  std::vector<Node> nodes_;
+  std::uint64_t serial_;
+  bool closed_ = false;
+};
+
+/// The boxes about the four children of a node [m]; column k holds coordinate k.
+struct TouchBoxes {
+  Eigen::Array<float, 4, 3> low;
+  Eigen::Array<float, 4, 3> high;
 };
 
 /// The points of a surface at one moment [m], and the tree's boxes about them.
 struct TouchMeshFrame {
   std::vector<Eigen::Vector3f> points;
+  std::vector<TouchBoxes> boxes;  // one for each of the mesh's nodes
+  std::uint64_t serial = 0;       // different after every fit of the process
 
   /// As many points as the mesh has. Linear; allocates only when the frame served a smaller mesh before.
   /// Throws std::invalid_argument on points that are not finite or of another number, the frame untouched.

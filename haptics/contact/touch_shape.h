@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+
+#include <Eigen/Geometry>
+
+#include <pleura/haptics/contact/touch_mesh.h>
+#include <pleura/haptics/contact/touch_surface.h>
+#include <pleura/haptics/contact/triangle_point.h>
+
+namespace pleura::haptics {
+
+/// A touchable shape at one instant: its points are (1 - s) from + s to, in a frame that stands in the world
+/// at `pose`. What is pointed to outlives the call that it is given to.
+struct TouchShape {
+  std::uint32_t id = 0;  // the same in every instant
+  const TouchMesh* mesh = nullptr;
+  const TouchMeshFrame* from = nullptr;
+  const TouchMeshFrame* to = nullptr;  // the same as `from` for a rigid shape
+  float s = 1;                         // 0..1
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  TouchSurface surface;
+};
+
+/// A triangle's corners in the world.
+Corners cornersOf(const TouchShape& shape, int triangle);
+
+/// The direction outwards at a place on a triangle, not of unit length: on an edge the sum of its faces' unit
+/// normals, at a corner weighted by their angles there (Baerentzen and Aanaes 2005). What is nearest to a
+/// point is seen from the front where this and the way to the point make less than a right angle.
+Eigen::Vector3d outward(const TouchShape& shape, int triangle, const Eigen::Vector3d& weights);
+
+/// The triangles whose boxes reach into the cube of that half side [m] about a point of the world;
+/// visit(triangle) returns false to end. No triangle whose distance is less than the half side is left out.
+/// Not for points beyond a float's range.
+template <class Visit>
+void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double halfSide, Visit visit);
+
+template <class Visit>
+void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double halfSide, Visit visit) {
+  using FourBounds = Eigen::Array<float, 4, 1>;
+  // the boxes are of floats, and those between two frames are rounded: so much more is asked for
+  constexpr float rounding = 1e-6F;
+  constexpr int stackSize = 64;  // 3 children wait on each of at most 16 levels: 4^16 > 2^31 triangles
+  const Eigen::Vector3f p = (shape.pose.inverse(Eigen::Isometry) * point).cast<float>();
+  const float reach = static_cast<float>(halfSide) * (1 + rounding) + rounding * p.cwiseAbs().maxCoeff();
+  const bool moves = shape.from != shape.to;
+  std::array<int, stackSize> stack;
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const int index = stack[--size];
+    const TouchMesh::Node& node = shape.mesh->nodes()[index];
+    const TouchBoxes& from = shape.from->boxes[index];
+    FourBounds outside = FourBounds::Zero();
+    for (int k = 0; k < 3; ++k) {
+      FourBounds low = from.low.col(k), high = from.high.col(k);
+      if (moves) {
+        const TouchBoxes& to = shape.to->boxes[index];
+        low += shape.s * (to.low.col(k) - low);
+        high += shape.s * (to.high.col(k) - high);
+      }
+      outside = outside.max(low - p[k]).max(p[k] - high);
+    }
+    for (int c = 0; c < node.childCount; ++c) {
+      if (outside[c] > reach) continue;
+      const auto [first, count] = node.children[c];
+      if (count == 0) stack[size++] = first;
+      for (int i = first; i < first + count; ++i)
+        if (!visit(shape.mesh->ordered()[i])) return;
+    }
+  }
+}
+
+}  // namespace pleura::haptics
