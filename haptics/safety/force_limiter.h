@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cmath>
-
-#include <Eigen/Core>
+#include <pleura/haptics/safety/finite.h>
 
 namespace pleura::haptics {
 
@@ -10,8 +8,7 @@ namespace pleura::haptics {
 ///   F' = F min(1, limit / |F|)
 /// so its direction is kept. What is not finite becomes zero: no part of it can be trusted.
 inline Eigen::Vector3d limited(const Eigen::Vector3d& force, double limit) {
-  if (!std::isfinite(force.x()) || !std::isfinite(force.y()) || !std::isfinite(force.z()))
-    return Eigen::Vector3d::Zero();
+  if (!isFinite(force)) return Eigen::Vector3d::Zero();
   const double largest = force.cwiseAbs().maxCoeff();
   if (largest == 0) return force;
   const Eigen::Vector3d scaled = force / largest;  // so that no square overflows

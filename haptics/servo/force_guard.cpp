@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <pleura/haptics/safety/finite.h>
 #include <pleura/haptics/safety/force_limiter.h>
 #include <pleura/haptics/servo/force_guard.h>
 
@@ -10,10 +11,6 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kRiseTime = 0.05;  // [s]
-
-bool isFinite(const DeviceState& state) {
-  return state.position.allFinite() && state.velocity.allFinite() && state.orientation.coeffs().allFinite();
-}
 
 }  // namespace
 
@@ -30,10 +27,11 @@ void ForceGuard::noteLost() {
   restart();
 }
 
-GuardedForce ForceGuard::guard(const Rendered& rendered, const DeviceState& state, bool hasMissedDeadline) {
-  const bool isSane = isFinite(state) && rendered.contact.allFinite() && rendered.effects.allFinite() &&
-                      rendered.carried.allFinite();
-  if (!watchdog_.allows({.hasMissedDeadline = hasMissedDeadline, .isFinite = isSane}, period_)) {
+GuardedForce ForceGuard::guard(const Rendered& rendered, const DeviceState& state, const TickHealth& health) {
+  TickHealth tick = health;
+  tick.isFinite = health.isFinite && isFinite(rendered.contact) && isFinite(rendered.effects) &&
+                  isFinite(rendered.carried);
+  if (!watchdog_.allows(tick, period_)) {
     restart();
     return {.force = Vector3d::Zero(), .isStopped = true};
   }

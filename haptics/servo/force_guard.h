@@ -33,7 +33,8 @@ class ForceGuard {
                                   // tick: work that the scene does, not the rendering
     double limit = -1;            // [N]; negative: the device's own, which holds in any case
   };
-  GuardedForce guard(const Rendered& rendered, const DeviceState& state, bool hasMissedDeadline);
+  /// `state` is finite: the last good one where the device told no numbers, which `health` says.
+  GuardedForce guard(const Rendered& rendered, const DeviceState& state, const TickHealth& health);
 
   /// The device did not answer in this tick.
   void noteLost();

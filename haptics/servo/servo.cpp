@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <pleura/haptics/contact/contact_force.h>
+#include <pleura/haptics/safety/finite.h>
 #include <pleura/haptics/safety/stiffness_limit.h>
 #include <pleura/haptics/servo/servo.h>
 
@@ -61,7 +62,10 @@ double Servo::dampingLimit() const {
 }
 
 void Servo::tick(double time, bool hasMissedDeadline) {
-  const bool isConnected = device_.read(time, state_);
+  DeviceState told;
+  const bool isConnected = device_.read(time, told);
+  const TickHealth health{.hasMissedDeadline = hasMissedDeadline, .isFinite = isFinite(told)};
+  if (isConnected && health.isFinite) state_ = told;
   takeFrame(time);
   const TouchFrame& now = frame();
   const Tracked tracked = trackedIn(now.workspace);
@@ -73,7 +77,7 @@ void Servo::tick(double time, bool hasMissedDeadline) {
   wasConnected_ = isConnected;
   GuardedForce given;
   if (isConnected) {
-    given = guard_.guard(render(tracked, time), state_, hasMissedDeadline);
+    given = guard_.guard(render(tracked, time), state_, health);
     if (!device_.write({given.force, Vector3d::Zero()})) wasConnected_ = false;
   }
   if (!wasConnected_) guard_.noteLost();

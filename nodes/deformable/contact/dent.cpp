@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <pleura/nodes/deformable/contact/dent.h>
+#include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/mesh/triangle_geometry.h>
 
 namespace pleura {
@@ -57,7 +58,7 @@ double hertzProfile(double rho) {
 }
 
 bool press(const Dent& dent, std::span<const Vector3i> triangles, std::span<Vector3f> points) {
-  if (!(dent.depth > 0) || !std::isfinite(dent.depth) || !dent.point.allFinite() || !dent.normal.allFinite())
+  if (!std::isfinite(dent.depth) || dent.depth <= 0 || !isFinite(dent.point) || !isFinite(dent.normal))
     return false;
   const Vector3d middle = dent.point.cast<double>();
   const auto place = placeOf(middle, triangles, points);

@@ -5,6 +5,7 @@
 
 #include <pleura/haptics/servo/servo_report.h>
 #include <pleura/nodes/standard/core/metadata_string.h>
+#include <pleura/nodes/standard/rendering/x3d_composed_geometry_node.h>
 #include <pleura/nodes/standard/shape/appearance.h>
 #include <pleura/x3d/browser/scene/traversal.h>
 #include <pleura/x3d/browser/touch/touch_scene.h>
@@ -116,12 +117,15 @@ void TouchScene::updateSurface(const Part& part, Surface& surface) {
   auto* touchable = dynamic_cast<TouchableShape*>(part.shape);
   std::span<const Eigen::Vector3i> triangles;
   if (touchable != nullptr) {
+    auto* composed = dynamic_cast<X3DComposedGeometryNode*>(part.geometry);
+    surface.isTwoSided = composed != nullptr && !composed->solid.getValue();
     points = touchable->untouchedPoints().getValue();
     triangles = touchable->untouchedTriangles();
     source = {triangles.size(), touchable->untouchedPoints().getStamp()};
   } else {
     const RenderMesh& mesh = part.geometry->renderMesh();
     if (mesh.primitive != RenderMesh::Primitive::triangles) return;
+    surface.isTwoSided = !mesh.solid;
     points = mesh.positions;
     source = {mesh.topologyRevision, mesh.vertexRevision};
     if (surface.source[0] != source[0]) {
@@ -182,6 +186,7 @@ void TouchScene::fill(haptics::TouchFrame& frame, double stiffness, double dampi
     shape.id = static_cast<std::uint32_t>(id);
     shape.pose = surface.pose;
     shape.surface = part.surface->surfaceOn(stiffness, damping);
+    shape.surface.twoSided = surface.isTwoSided;
     ++count;
   }
   frame.shapes.resize(count);

@@ -77,6 +77,7 @@ class TouchScene {
     std::size_t triangleCount = 0;
     Eigen::Matrix3f stretch = Eigen::Matrix3f::Identity();
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    bool isTwoSided = false;
     bool isSound = false;
   };
 
