@@ -51,17 +51,26 @@ int Neighbourhood::find(std::uint32_t id) const {
   return -1;
 }
 
-Neighbourhood::Nearest Neighbourhood::nearest(int shape, const Vector3d& point) const {
+void Neighbourhood::add(const TouchShape& shape, int index, int slot) {
+  Triangle& triangle = triangles_[count_];
+  triangle = {cornersOf(shape, index), slot, index};
+  const Vector3d mean = triangle.corners.rowwise().mean();
+  const Eigen::Matrix3f spokes = (triangle.corners.colwise() - mean).cast<float>();
+  FourBalls& four = balls_[count_ / 4];
+  const int k = count_ % 4;
+  for (int axis = 0; axis < 3; ++axis) four.centre(k, axis) = static_cast<float>(mean[axis] - centre_[axis]);
+  four.radius[k] = std::sqrt(spokes.colwise().squaredNorm().maxCoeff());
+  ++count_;
+}
+
+Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d& point) const {
   Nearest least;
-  least.distance = std::numeric_limits<float>::max();
-  for (int i = 0; i < count_; ++i) {
-    const Triangle& triangle = triangles_[i];
-    const double within = least.distance + triangle.radius;
-    if (triangle.shape != shape || (point - triangle.centre).squaredNorm() >= within * within) continue;
-    const TrianglePoint on = nearestOnTriangle(triangle.corners, point);
+  least.distance = reach_ + (shape.view - centre_).norm();
+  visitWithin(shape, point, least.distance, [&](int i) {
+    const TrianglePoint on = nearestOnTriangle(triangles_[i].corners, point);
     const double distance = (point - on.point).norm();
     if (distance < least.distance) least = {i, on, distance};
-  }
+  });
   return least;
 }
 
@@ -69,7 +78,7 @@ Neighbourhood::Nearest Neighbourhood::nearest(int shape, const Vector3d& point) 
 bool Neighbourhood::carry(Shape& shape, const TouchShape& next, const Vector3d& position) const {
   shape.view = position;
   shape.motion.setZero();
-  const Nearest at = nearest(static_cast<int>(&shape - shapes_.data()), position);
+  const Nearest at = nearest(shape, position);
   if (at.triangle < 0) return false;
   const Corners& before = triangles_[at.triangle].corners;
   const Corners after = cornersOf(next, triangles_[at.triangle].index);
@@ -120,40 +129,41 @@ void Neighbourhood::advance(std::span<const TouchShape> shapes, const Vector3d& 
 bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& position, double radius,
                             double reach, bool partly) {
   count_ = 0;
+  centre_ = position;
+  reach_ = reach;
   bool complete = true;
   const int known = shapeCount_;
-  std::array<int, kMaxShapes> begin, end;
-  for (int k = 0; k < known; ++k) begin[k] = end[k] = 0;
-  for (const TouchShape& shape : shapes) {
-    int k = find(shape.id);
+  for (int k = 0; k < known; ++k) shapes_[k].begin = shapes_[k].end = 0;
+  for (const TouchShape& touchable : shapes) {
+    int k = find(touchable.id);
     const bool isNew = k < 0;
     if (isNew) k = shapeCount_;
     const int first = count_;
-    const Vector3d centre = isNew ? position : shapes_[k].view;
-    visitNear(shape, centre, reach + (centre - position).norm(), [&](int index) {
+    const Vector3d view = isNew ? position : shapes_[k].view;
+    visitNear(touchable, view, reach + (view - position).norm(), [&](int index) {
       if (count_ == kMaxTriangles || k == kMaxShapes) return complete = false;
-      Triangle& triangle = triangles_[count_++];
-      triangle.corners = cornersOf(shape, index);
-      triangle.centre = triangle.corners.rowwise().mean();
-      triangle.radius =
-          std::sqrt((triangle.corners.colwise() - triangle.centre).colwise().squaredNorm().maxCoeff());
-      triangle.shape = k;
-      triangle.index = index;
+      add(touchable, index, k);
       return true;
     });
     if (isNew && count_ == first) continue;
+    Shape& shape = shapes_[k];
     if (isNew) {
-      shapes_[k] = {shape,    shape.mesh->serial(), shape.from->serial, shape.to->serial, true,
-                    position, Vector3d::Zero()};
+      shape = {touchable,
+               touchable.mesh->serial(),
+               touchable.from->serial,
+               touchable.to->serial,
+               true,
+               position,
+               Vector3d::Zero(),
+               first,
+               count_};
       ++shapeCount_;
-      const Nearest at = nearest(k, position);
-      const bool inFront =
-          shape.surface.twoSided ||
-          outward(shape, triangles_[at.triangle].index, at.on.weights).dot(position - at.on.point) >= 0;
-      shapes_[k].felt = inFront && at.distance >= radius * (1 - kOverlap);
+      const Nearest at = nearest(shape, position);
+      shape.felt =
+          at.triangle < 0 || (isInFront(shape, at, position) && at.distance >= radius * (1 - kOverlap));
     }
-    begin[k] = first;
-    end[k] = count_;
+    shape.begin = first;
+    shape.end = count_;
   }
   if (!complete && !partly) {
     shapeCount_ = known;
@@ -161,8 +171,8 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
   }
   int kept = 0;
   for (int k = 0; k < shapeCount_; ++k) {
-    if (begin[k] == end[k]) continue;
-    for (int i = begin[k]; i < end[k]; ++i) triangles_[i].shape = kept;
+    if (shapes_[k].begin == shapes_[k].end) continue;
+    for (int i = shapes_[k].begin; i < shapes_[k].end; ++i) triangles_[i].shape = kept;
     shapes_[kept++] = shapes_[k];
   }
   shapeCount_ = kept;
@@ -184,8 +194,6 @@ double Neighbourhood::gather(std::span<const TouchShape> shapes, const Vector3d&
     }
     room = wider;
   }
-  centre_ = position;
-  reach_ = room;
   valid_ = true;
   return std::min(reach, room);
 }
@@ -197,15 +205,16 @@ void Neighbourhood::moveTo(const Vector3d& position) {
 void Neighbourhood::settle(const Vector3d& position, double radius) {
   for (int k = 0; k < shapeCount_; ++k) {
     Shape& shape = shapes_[k];
-    const bool twoSided = shape.now.surface.twoSided;
-    if (shape.felt && (twoSided || shape.now.mesh->isClosed())) continue;
-    const Nearest at = nearest(k, position);
+    if (shape.felt && (shape.now.surface.twoSided || shape.now.mesh->isClosed())) continue;
+    const Nearest at = nearest(shape, position);
     if (at.triangle < 0) continue;
-    const bool inFront =
-        twoSided ||
-        outward(shape.now, triangles_[at.triangle].index, at.on.weights).dot(position - at.on.point) >= 0;
-    shape.felt = inFront && (shape.felt || at.distance >= radius * (1 - kOverlap));
+    shape.felt = isInFront(shape, at, position) && (shape.felt || at.distance >= radius * (1 - kOverlap));
   }
+}
+
+bool Neighbourhood::isInFront(const Shape& shape, const Nearest& at, const Vector3d& point) const {
+  return shape.now.surface.twoSided ||
+         outward(shape.now, triangles_[at.triangle].index, at.on.weights).dot(point - at.on.point) >= 0;
 }
 
 }  // namespace pleura::haptics

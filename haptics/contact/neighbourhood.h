@@ -25,14 +25,13 @@ class Neighbourhood {
     /// the side of the ball that it was on.
     Eigen::Vector3d view;
     Eigen::Vector3d motion;  // [m] that it went since the last tick, where it is nearest to the ball
+    int begin, end;          // its triangles: triangles()[begin] and on, up to before end
   };
 
   struct Triangle {
     Corners corners;  // in the world
-    Eigen::Vector3d centre;
-    double radius;  // of a ball about the centre, with all corners in it
-    int shape;      // index into shapes()
-    int index;      // of the shape's mesh
+    int shape;        // index into shapes()
+    int index;        // of the shape's mesh
   };
 
   void clear();
@@ -52,18 +51,30 @@ class Neighbourhood {
   void settle(const Eigen::Vector3d& position, double radius);
 
   std::span<const Shape> shapes() const { return {shapes_.data(), static_cast<std::size_t>(shapeCount_)}; }
+  /// visit(index) is called for the triangles of a shape that may be nearer than `reach` [m] to a point.
+  template <class Visit>
+  void visitWithin(const Shape& shape, const Eigen::Vector3d& point, double reach, Visit visit) const;
+
   std::span<const Triangle> triangles() const {
     return {triangles_.data(), static_cast<std::size_t>(count_)};
   }
 
  private:
+  /// Balls about four triangles, relative to centre_.
+  struct FourBalls {
+    Eigen::Array<float, 4, 3> centre = Eigen::Array<float, 4, 3>::Zero();
+    Eigen::Array4f radius = Eigen::Array4f::Zero();
+  };
+
   struct Nearest {
     int triangle = -1;  // index into triangles_
     TrianglePoint on;
     double distance = 0;
   };
 
-  Nearest nearest(int shape, const Eigen::Vector3d& point) const;
+  void add(const TouchShape& shape, int index, int slot);
+  Nearest nearest(const Shape& shape, const Eigen::Vector3d& point) const;
+  bool isInFront(const Shape& shape, const Nearest& at, const Eigen::Vector3d& point) const;
   int find(std::uint32_t id) const;
   bool carry(Shape& shape, const TouchShape& next, const Eigen::Vector3d& position) const;
   bool collect(std::span<const TouchShape> shapes, const Eigen::Vector3d& position, double radius,
@@ -71,11 +82,31 @@ class Neighbourhood {
 
   std::array<Shape, kMaxShapes> shapes_;
   std::array<Triangle, kMaxTriangles> triangles_;
+  std::array<FourBalls, kMaxTriangles / 4> balls_;
   int shapeCount_ = 0;
   int count_ = 0;
   bool valid_ = false;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  // all triangles are there that are nearer to it than
   double reach_ = 0;
 };
+
+template <class Visit>
+void Neighbourhood::visitWithin(const Shape& shape, const Eigen::Vector3d& point, double reach,
+                                Visit visit) const {
+  constexpr double rounding = 1e-5;  // of the balls and of what follows
+  const Eigen::Vector3f p = (point - centre_).cast<float>();
+  const float far = static_cast<float>(reach * (1 + rounding));
+  for (int four = shape.begin / 4; four * 4 < shape.end; ++four) {
+    const FourBalls& balls = balls_[four];
+    Eigen::Array4f squared = (balls.centre.col(0) - p[0]).square();
+    squared += (balls.centre.col(1) - p[1]).square();
+    squared += (balls.centre.col(2) - p[2]).square();
+    const Eigen::Array4f excess = squared - (balls.radius + far).square();
+    for (int k = 0; k < 4; ++k) {
+      const int index = 4 * four + k;
+      if (excess[k] <= 0 && index >= shape.begin && index < shape.end) visit(index);
+    }
+  }
+}
 
 }  // namespace pleura::haptics

@@ -33,7 +33,9 @@ bool isPlace(const Vector3d& p) { return p.allFinite() && p.cwiseAbs().maxCoeff(
 struct Proxy::Planes {
   static constexpr int kMax = 64;
 
-  Planes(const Neighbourhood& near, const Vector3d& position, double ballRadius, double reach);
+  /// Those that a ball at `position` may meet before it has gone reach - radius. A touched triangle's plane,
+  /// the guess (an index, or -1), saves those behind it.
+  Planes(const Neighbourhood& near, const Vector3d& position, double ballRadius, double reach, int guess);
 
   /// The point nearest to the target in the half-spaces of triangles that are at most so far from the ball. A
   /// ball that is squeezed gives way.
@@ -48,35 +50,57 @@ struct Proxy::Planes {
   double clear;  // [m] that the centre may go without meeting what isn't here
   std::array<Plane, kMax> planes;
   int count = 0;
+  const Neighbourhood::Triangle* screening = nullptr;  // the others behind its plane aren't here
   std::span<const Neighbourhood::Shape> shapes;
 
  private:
+  Plane planeOf(const Neighbourhood::Triangle& triangle) const;
+  bool isBehind(const Neighbourhood::Triangle& triangle, const Plane& plane) const;
   void insert(const Plane& plane);
   bool add(HalfSpaceProjection& projection, double farthest, double shrink) const;
   bool covers(const Plane& plane, const Plane& other, const Vector3d& point, double shrink) const;
   bool covered(const Plane& plane, const HalfSpaceProjection& projection, double shrink) const;
 };
 
-Proxy::Planes::Planes(const Neighbourhood& near, const Vector3d& position, double ballRadius, double reach)
+Proxy::Planes::Planes(const Neighbourhood& near, const Vector3d& position, double ballRadius, double reach,
+                      int guess)
     : radius(ballRadius), centre(position), clear(reach - ballRadius), shapes(near.shapes()) {
-  for (const Neighbourhood::Triangle& triangle : near.triangles()) {
-    const Neighbourhood::Shape& shape = shapes[triangle.shape];
-    if (!shape.felt) continue;
-    const Vector3d& view = shape.view;
-    const double farthest = radius + clear + (view - centre).norm();
-    const double within = farthest + triangle.radius;
-    if ((view - triangle.centre).squaredNorm() > within * within) continue;
-    const TrianglePoint on = nearestOnTriangle(triangle.corners, view);
-    const Vector3d way = view - on.point;
-    const double distance = way.norm();
-    if (distance > farthest) continue;
-    Vector3d normal = way;
-    if (distance <= kOnSurface)
-      normal = outward(shape.now, triangle.index, on.weights).stableNormalized();
-    else
-      normal /= distance;
-    insert({normal, normal.dot(on.point) + radius, distance - radius, on, &triangle});
+  const std::span<const Neighbourhood::Triangle> triangles = near.triangles();
+  Plane screen;
+  if (guess >= 0 && guess < static_cast<int>(triangles.size()) && shapes[triangles[guess].shape].felt) {
+    screen = planeOf(triangles[guess]);
+    if (std::abs(screen.gap) <= kTouch) {
+      screening = screen.triangle;
+      insert(screen);
+    }
   }
+  for (const Neighbourhood::Shape& shape : shapes) {
+    if (!shape.felt) continue;
+    const double farthest = reach + (shape.view - position).norm();
+    near.visitWithin(shape, shape.view, farthest, [&](int index) {
+      const Neighbourhood::Triangle& triangle = triangles[index];
+      if (&triangle == screening || (screening && isBehind(triangle, screen))) return;
+      const Plane plane = planeOf(triangle);
+      if (plane.gap + radius <= farthest) insert(plane);
+    });
+  }
+}
+
+Proxy::Plane Proxy::Planes::planeOf(const Neighbourhood::Triangle& triangle) const {
+  const Neighbourhood::Shape& shape = shapes[triangle.shape];
+  const TrianglePoint on = nearestOnTriangle(triangle.corners, shape.view);
+  const Vector3d way = shape.view - on.point;
+  const double distance = way.norm();
+  const Vector3d normal = distance > kOnSurface
+                              ? Vector3d(way / distance)
+                              : outward(shape.now, triangle.index, on.weights).stableNormalized();
+  return {normal, normal.dot(on.point) + radius, distance - radius, on, &triangle};
+}
+
+/// Whether a plane that is drawn back by one radius has the triangle behind it.
+bool Proxy::Planes::isBehind(const Neighbourhood::Triangle& triangle, const Plane& plane) const {
+  return triangle.shape == plane.triangle->shape &&
+         (plane.normal.transpose() * triangle.corners).maxCoeff() <= plane.offset - radius + kCover;
 }
 
 void Proxy::Planes::insert(const Plane& plane) {
@@ -94,16 +118,16 @@ void Proxy::Planes::insert(const Plane& plane) {
 /// The way to the point is clear of a triangle too if another's plane is between.
 bool Proxy::Planes::covers(const Plane& plane, const Plane& other, const Vector3d& point,
                            double shrink) const {
-  if (plane.triangle->shape != other.triangle->shape) return false;
-  if (plane.normal.dot(point) < plane.offset - shrink - kSlack || plane.gap < -shrink - kSlack) return false;
-  return (plane.normal.transpose() * other.triangle->corners).maxCoeff() <= plane.offset - radius + kCover;
+  return &plane != &other && plane.normal.dot(point) >= plane.offset - shrink - kSlack &&
+         plane.gap >= -shrink - kSlack && isBehind(*other.triangle, plane);
 }
 
 bool Proxy::Planes::covered(const Plane& plane, const HalfSpaceProjection& projection, double shrink) const {
+  if (plane.triangle == screening) return false;
   const Vector3d& point = projection.point();
-  if (&plane != &planes[0] && covers(planes[0], plane, point, shrink)) return true;
+  if (covers(planes[0], plane, point, shrink)) return true;
   for (const HalfSpaceProjection::Active& active : projection.active())
-    if (&plane != &planes[active.label] && covers(planes[active.label], plane, point, shrink)) return true;
+    if (covers(planes[active.label], plane, point, shrink)) return true;
   // the triangle's own plane
   const Corners& c = plane.triangle->corners;
   const Vector3d normal = (c.col(1) - c.col(0)).cross(c.col(2) - c.col(0));
@@ -177,7 +201,7 @@ void Proxy::rest(const Planes& planes, const HalfSpaceProjection& touching) {
 
 void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   const Vector3d device = isPlace(asked) ? asked : device_;
-  double stride = std::max(radius_ / 8, 2 * (device - device_).norm());
+  double stride = std::max(radius_ / 16, 1.25 * (device - device_).norm());
   for (const TouchShape& shape : shapes) {
     assert(shape.s >= 0 && shape.s <= 1);
     stride = std::max(stride, shape.surface.magneticDistance);
@@ -189,7 +213,8 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   bool slips = slides_, moved = false;
   for (int steps = 0, leaps = 0;;) {
     const double reach = near_.gather(shapes, position_, radius_, radius_ + stride);
-    const Planes planes(near_, position_, radius_, reach);
+    const Planes planes(near_, position_, radius_, reach, guess_);
+    guess_ = planes.count > 0 ? static_cast<int>(planes[0].triangle - near_.triangles().data()) : -1;
     const HalfSpaceProjection touching = planes.project(device, kTouch);
     const Vector3d wanted = stepFrom(planes, touching, device, anchor, slips);
     const double length = (wanted - position_).norm();

@@ -78,6 +78,7 @@ class Proxy {
   Neighbourhood near_;
   std::array<ProxyContact, kMaxContacts> contacts_;
   int contactCount_ = 0;
+  int guess_ = -1;  // index of the triangle that was nearest
   bool slides_ = false;
 };
 
