@@ -1,4 +1,5 @@
 #include <pleura/haptics/device/device_presets.h>
+#include <pleura/haptics/phantom/phantom_device.h>
 #include <pleura/haptics/recorded/recorded_device.h>
 #include <pleura/haptics/simulated/simulated_stylus.h>
 #include <pleura/haptics/simulated/stylus_path_csv.h>
@@ -28,6 +29,8 @@ DeviceRegistry standardDrivers() {
   DeviceRegistry drivers;
   drivers.add("simulated", makeSimulated);
   drivers.add("recorded", makeRecorded);
+  drivers.add("phantom",
+              [](const DeviceSettings& settings) { return std::make_unique<PhantomDevice>(settings.model); });
   return drivers;
 }
 
