@@ -13,7 +13,7 @@ namespace pleura::haptics {
 /// Robotics and Automation 18(1), 2002; the exact sum, Stramigioli et al., ICRA 2002.
 class PassivityObserver {
  public:
-  /// Forgets all energy: a new surface, or a device that was moved without force.
+  /// Forgets all energy: where nothing is touched, lest a debt be felt as drag in the air.
   void restart() { energy_ = 0, hasStarted_ = false; }
 
   /// One tick: the tip is at x [m]; the energy up to now.

@@ -25,5 +25,10 @@ TEST(StandardDrivers, APresetOrOwnCapabilitiesDescribeTheSimulatedStylus) {
   EXPECT_THROW(drivers.make("simulated", {.handStiffness = -1}), DeviceError);
 }
 
+TEST(StandardDrivers, ARecordingNeedsItsFile) {
+  EXPECT_THROW(standardDrivers().make("recorded", {}), DeviceError);
+  EXPECT_THROW(standardDrivers().make("recorded", {.file = "/missing"}), DeviceError);
+}
+
 }  // namespace
 }  // namespace pleura::haptics
