@@ -1,23 +1,15 @@
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 
 #include <fmt/format.h>
 
 #include <pleura/haptics/recorded/recording_format.h>
+#include <pleura/haptics/safety/finite.h>
 
 namespace pleura::haptics {
 
 namespace {
 
 constexpr std::uintmax_t kMostTicks = 10'000'000;
-
-bool isFinite(const DeviceState& state) {
-  const auto finite = [](double value) { return std::isfinite(value); };
-  return std::all_of(state.position.begin(), state.position.end(), finite) &&
-         std::all_of(state.velocity.begin(), state.velocity.end(), finite) &&
-         std::all_of(state.orientation.coeffs().begin(), state.orientation.coeffs().end(), finite);
-}
 
 }  // namespace
 

@@ -157,8 +157,8 @@ TEST(TouchSession, AForceLimitHolds) {
 
 TEST(TouchSession, OneFieldMapsTheWorkspaceToTheScenesSize) {
   const auto scene = sceneOf(
-      "<Shape><Appearance><SmoothSurface stiffness='0.5'/></Appearance><Box DEF='BOX' size='20 20 "
-      "0'/></Shape>"
+      "<Transform translation='0 0 -10'><Shape><Appearance><SmoothSurface stiffness='0.5'/></Appearance>"
+      "<Box size='20 20 20'/></Shape></Transform>"
       "<DeviceInfo><SimulatedDevice DEF='STYLUS' workspaceScale='100' proxyRadius='0.25' key='0 1' "
       "keyValue='0 0 0.05 0 0 -0.01' handStiffness='5000' handDamping='20'/></DeviceInfo>");
   Playback playback(*scene, {});
@@ -210,11 +210,28 @@ TEST(TouchSession, ForceEffectsAct) {
   Playback playback(*scene, {.step = 0.125});
   playback.runUntil(2.125);  // a quarter of the sine's period
   const Vec3f force = valueOf<SFVec3f>(*scene, "STYLUS.force");
-  EXPECT_NEAR(force.y(), 1, 1e-3) << "the field, in its group's frame";
-  EXPECT_NEAR(force.z(), 0.5, 1e-3);
+  const Vec3f at = valueOf<SFVec3f>(*scene, "STYLUS.trackerPosition");
+  const Vec3f ofSpring = 50 * (Vec3f(0.005f, 0, 0) - at);
+  EXPECT_NEAR(force.y() - ofSpring.y(), 1, 1e-3) << "the field, in its group's frame";
+  EXPECT_NEAR(force.z() - ofSpring.z(), 0.5, 1e-3) << "the sine at its top";
   EXPECT_TRUE(valueOf<SFBool>(*scene, "SPRING.active"));
-  EXPECT_NEAR(valueOf<SFVec3f>(*scene, "SPRING.force").x(), force.x(), 1e-3);
+  EXPECT_NEAR((valueOf<SFVec3f>(*scene, "SPRING.force") - ofSpring).norm(), 0, 1e-3);
   EXPECT_GT(force.x(), 0.1f);
+}
+
+TEST(TouchSession, ARecordedSessionGivesTheSameForcesBitForBit) {
+  const TemporaryFolder folder;
+  const auto forces = [](const TouchOptions& touch) {
+    const auto scene = sceneOf(blockAndStylus("<FrictionalSurface stiffness='1' damping='0.1'/>", 0.003));
+    Playback playback(*scene, {.touch = touch});
+    std::vector<Vec3f> all;
+    playback.runUntil(1.5, [&](Time) { all.push_back(valueOf<SFVec3f>(*scene, "STYLUS.force")); });
+    return all;
+  };
+  const auto file = folder.path() / "session.recording";
+  const auto first = forces({.record = file});
+  EXPECT_EQ(forces({.device = "recorded", .stylus = file}), first);
+  EXPECT_GT(first.back().z(), 0.5f);
 }
 
 TEST(TouchSession, AMagneticSurfaceDrawsTheTip) {

@@ -25,8 +25,8 @@ Look lookOf(Tissue tissue) {
   return {};
 }
 
-/// How it feels, in parts of what the device can do: on one that holds 400 N/m a lung has 80 N/m under the tip (a
-/// lung under 5 mm has 40-120), the diaphragm 180, bone all there is.
+/// How it feels, in parts of what the device can do: on one that holds 400 N/m a lung has 80 N/m under the
+/// tip (a lung under 5 mm has 40-120), the diaphragm 180, bone all there is.
 NodePtr surfaceOf(const NodeMaker& maker, Tissue tissue) {
   const auto make = [&maker](const char* type, float stiffness, float damping, float friction) {
     const auto surface = maker.make(type);

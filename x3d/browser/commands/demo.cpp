@@ -41,7 +41,7 @@ class BreathTable {
     if (!out_) throw FileError(file_.string() + ": can't be written");
     out_ << "time_s,lung_volume_L,dome_height_cm";
     for (int rib = 1; rib <= kRibs; ++rib) out_ << fmt::format(",rib_{0}_pump_deg,rib_{0}_bucket_deg", rib);
-    out_ << '\n';
+    out_ << ",force_N,depth_mm,touched\n";
   }
 
   void add(Time now) {
@@ -56,7 +56,10 @@ class BreathTable {
       fmt::print(out_, ",{:.3f},{:.3f}", angles.x() * inflation * kDegrees,
                  angles.y() * inflation * kDegrees);
     }
-    out_ << '\n';
+    const float force = static_cast<SFVec3f&>(scene_.field("STYLUS.force")).getValue().norm();
+    fmt::print(out_, ",{:.4f},{:.4f},{}\n", force, number("STYLUS.depth") * 1e3,
+               static_cast<SFString&>(scene_.field("STYLUS.touched")).getValue());
+    strongest_ = std::max(strongest_, force);
   }
 
   void close() {
@@ -65,6 +68,8 @@ class BreathTable {
   }
 
   const std::vector<Sample>& samples() const { return samples_; }
+  /// [N] on the hand.
+  double strongestForce() const { return strongest_; }
 
  private:
   static constexpr int kRibs = 12;
@@ -75,6 +80,7 @@ class BreathTable {
   std::filesystem::path file_;
   std::ofstream out_;
   std::vector<Sample> samples_;
+  float strongest_ = 0;
 };
 
 /// Largest less smallest of what `get` picks, over the samples before `end`.
@@ -96,7 +102,8 @@ double breathsPerMinute(const std::vector<Sample>& samples) {
   return 0;
 }
 
-void tell(const std::vector<Sample>& samples, const TickStatistics& statistics, double drawing) {
+void tell(const BreathTable& table, const TickStatistics& statistics, double drawing) {
+  const auto& samples = table.samples();
   const auto volume = [](const Sample& s) { return s.volume; };
   const auto dome = [](const Sample& s) { return s.domeHeight; };
   fmt::print("breathing rate        {:6.1f} breaths per minute\n", breathsPerMinute(samples));
@@ -104,14 +111,17 @@ void tell(const std::vector<Sample>& samples, const TickStatistics& statistics, 
              swing(samples, kDeepFrom, volume) * 1e6, swing(samples, kSeconds, volume) * 1e3);
   fmt::print("dome excursion        {:6.1f} cm quiet, {:.1f} cm deep\n",
              swing(samples, kDeepFrom, dome) * 1e2, swing(samples, kSeconds, dome) * 1e2);
-  fmt::print("time per frame        {:6.2f} ms to breathe, {:.0f} ms to draw (software OpenGL)\n",
-             statistics.quantile(0.5), drawing);
+  fmt::print("touch                 {:6.2f} N at most on the hand, over left ribs 4 to 6 and the lung\n",
+             table.strongestForce());
+  fmt::print(
+      "time per frame        {:6.2f} ms to breathe and to touch, {:.0f} ms to draw (software OpenGL)\n",
+      statistics.quantile(0.5), drawing);
 }
 
 void runDemo(const Options& options) {
   std::filesystem::create_directories(options.output);
   SceneOptions sceneOptions;
-  sceneOptions.file = sceneFolder() / "breathing_thorax.x3d";
+  sceneOptions.file = sceneFolder() / "touch_thorax.x3d";
   sceneOptions.playback.step = 1 / kFramesPerSecond;
   sceneOptions.playback.keys = kPauses;
   const auto scene = sceneOptions.load();
@@ -140,7 +150,7 @@ void runDemo(const Options& options) {
   table.close();
   render::writePng(render::contactSheet(sheet, kSheetColumns), options.output / "breathing.png");
   std::nth_element(drawing.begin(), drawing.begin() + frames / 2, drawing.end());
-  tell(table.samples(), playback.statistics(), drawing[static_cast<std::size_t>(frames / 2)]);
+  tell(table, playback.statistics(), drawing[static_cast<std::size_t>(frames / 2)]);
   fmt::print("written               {0}/breathing.mp4, {0}/breathing.png, {0}/breathing.csv\n",
              options.output.string());
   if (scene->diagnostics().errors() > 0) throw Fault("");
@@ -149,8 +159,9 @@ void runDemo(const Options& options) {
 }  // namespace
 
 void addDemoCommand(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("demo", "Twenty seconds of the default thorax: a film, a contact sheet, a table");
+  auto* command = app.add_subcommand(
+      "demo",
+      "Twenty seconds of the default thorax, breathing and touched: a film, a contact sheet, a table");
   const auto options = std::make_shared<Options>();
   options->picture.size = "960x720";
   options->picture.addTo(*command);

@@ -14,6 +14,8 @@ void SceneOptions::addTo(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--device", playback.touch.device,
                      "Haptic device in place of the scene's: simulated, phantom, recorded");
+  command.add_option("--record", playback.touch.record,
+                     "Where the haptic session is recorded, to be played again");
   command.add_option("--stylus", playback.touch.stylus,
                      "Path of the simulated stylus (CSV), or the recording");
 }

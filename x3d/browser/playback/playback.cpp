@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include <pleura/x3d/browser/playback/playback.h>
 
@@ -10,9 +11,11 @@ Playback::Playback(Scene& scene, const PlaybackOptions& options)
     : scene_(scene),
       step_(options.step),
       keys_(parseKeys(options.keys)),
-      touch_(scene, options.touch, TouchSession::Clock::virtualTime),
+      touch_(scene, options.touch,
+             options.isRealTime ? TouchSession::Clock::real : TouchSession::Clock::virtualTime),
       table_(scene, options.watch),
-      csvFile_(options.csv) {
+      csvFile_(options.csv),
+      isRealTime_(options.isRealTime) {
   if (!std::isfinite(step_) || step_ < 1e-6 || step_ > 1e3)
     throw std::invalid_argument("step: expected 1e-6 to 1e3 seconds");
   for (const auto& assignment : options.set) scene.set(assignment);
@@ -26,9 +29,17 @@ void Playback::runUntil(Time time, const std::function<void(Time)>& afterTick) {
   const auto last = static_cast<std::int64_t>(std::floor(time / step_ + 1e-9));
   while (ticks_ < last) {
     ++ticks_;
+    if (isRealTime_) await(now());
     tick(now(), afterTick);
   }
   if (csv_.is_open() && !csv_.flush()) throw FileError(csvFile_.string() + ": can't be written");
+}
+
+void Playback::await(Time now) {
+  using Clock = std::chrono::steady_clock;
+  if (ticks_ == 0) start_ = Clock::now();
+  std::this_thread::sleep_until(
+      start_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(now)));
 }
 
 void Playback::tick(Time now, const std::function<void(Time)>& afterTick) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +25,8 @@ struct PlaybackOptions {
   std::vector<std::string> watch = {};  // "DEF.field"
   std::filesystem::path csv = {};       // where the watched fields go; empty: nowhere
   TouchOptions touch = {};
+  bool isRealTime =
+      false;  // each tick waits for its time on the real clock, haptic loops have threads of their own
 };
 
 /// A scene moved along by a virtual clock from time 0: keys at their times, touch, a row of the table a step,
@@ -43,6 +46,8 @@ class Playback {
   const TouchSession& touch() const { return touch_; }
 
  private:
+  /// Sleeps until that moment of the real clock, counted from the first tick.
+  void await(Time now);
   void tick(Time now, const std::function<void(Time)>& afterTick);
 
   Scene& scene_;
@@ -54,6 +59,8 @@ class Playback {
   std::filesystem::path csvFile_;
   std::ofstream csv_;
   std::int64_t ticks_ = -1;
+  bool isRealTime_;
+  std::chrono::steady_clock::time_point start_;
   TickStatistics statistics_;
 };
 

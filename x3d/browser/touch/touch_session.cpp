@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <pleura/haptics/recorded/recording_device.h>
 #include <pleura/haptics/simulated/stylus_path_csv.h>
 #include <pleura/haptics/standard_drivers.h>
 #include <pleura/nodes/haptic/simulated_device.h>
@@ -47,6 +48,7 @@ struct TouchSession::Hand {
   TouchOptions asked;                              // empty but for the first
   std::vector<haptics::StylusWaypoint> waypoints;  // asked for; none: the scene's
   std::unique_ptr<haptics::HapticDevice> device;   // open, or null
+  haptics::RecordingDevice* recording = nullptr;   // `device`, when it is recorded
   std::unique_ptr<haptics::Servo> servo;
   std::unique_ptr<haptics::ServoLoop> loop;  // only on the real clock
   std::int64_t ticks = 0;                    // on the virtual clock
@@ -68,7 +70,7 @@ TouchSession::~TouchSession() {
 }
 
 void TouchSession::adopt(const TouchOptions& options) {
-  const bool isAsked = !options.device.empty() || !options.stylus.empty();
+  const bool isAsked = !options.device.empty() || !options.stylus.empty() || !options.record.empty();
   auto* info = dynamic_cast<DeviceInfo*>(scene_.bindables("DeviceInfo").top());
   if (isAsked && (info == nullptr || info->device.empty())) info = &addDevice(scene_);
   if (info == nullptr) return;
@@ -84,7 +86,7 @@ void TouchSession::adopt(const TouchOptions& options) {
   if (!options.device.empty()) {
     checkDriver(options.device);
     first.drivers = {options.device};
-  } else if (first.drivers.front() != "recorded") {
+  } else if (!options.stylus.empty() && first.drivers.front() != "recorded") {
     first.drivers = {"simulated"};
   }
   if (first.drivers.front() == "simulated" && !options.stylus.empty())
@@ -124,6 +126,11 @@ void TouchSession::open(Hand& hand, Time now) {
   for (const auto& driver : hand.drivers) {
     try {
       auto device = haptics::standardDrivers().make(driver, settings);
+      if (!hand.asked.record.empty()) {
+        auto recorded = std::make_unique<haptics::RecordingDevice>(std::move(device), hand.asked.record);
+        hand.recording = recorded.get();
+        device = std::move(recorded);
+      }
       device->open();
       hand.device = std::move(device);
       break;
@@ -147,6 +154,7 @@ void TouchSession::lose(Hand& hand, Time now) {
   hand.servo.reset();
   hand.device->close();
   hand.device.reset();
+  hand.recording = nullptr;
   hand.tried = now;
   scene_.warn(*hand.node, "the device is lost; it is tried again every second");
 }
@@ -168,6 +176,7 @@ void TouchSession::advance(Time now) {
     } else if (!hand.loop) {
       hand.loop = std::make_unique<haptics::ServoLoop>(*hand.servo, true);
     }
+    if (hand.recording != nullptr) hand.recording->flush();
     hear(hand, k, now);
   }
   last_ = now;

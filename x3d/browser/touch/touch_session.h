@@ -15,7 +15,8 @@ namespace pleura {
 /// What is asked for beside what the scene says.
 struct TouchOptions {
   std::string device = {};            // driver; empty: the one that the scene names
-  std::filesystem::path stylus = {};  // path of the simulated stylus; empty: the scene's
+  std::filesystem::path stylus = {};  // path of the simulated stylus, or recording; empty: the scene's
+  std::filesystem::path record = {};  // where the first device's session is recorded; empty: nowhere
 };
 
 /// A scene's haptic devices at work: each tick the scene is handed to them, and what they tell comes back as
@@ -35,7 +36,8 @@ class TouchSession {
   /// the one that was asked for throws haptics::DeviceError.
   void open();
 
-  /// After the scene's tick: brings touch to the same moment `now` [s].
+  /// After the scene's tick: brings touch to the same moment `now` [s]. Throws haptics::RecordingError when
+  /// the recording can't be written.
   void advance(Time now);
 
   bool hasDevices() const { return !hands_.empty(); }
