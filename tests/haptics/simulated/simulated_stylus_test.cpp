@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -245,15 +246,18 @@ TEST(SimulatedStylus, UnpluggedItIsLostUntilItIsOpenedAgain) {
 
 TEST(SimulatedStylus, OpenedAgainItHasForgottenTheForce) {
   SimulatedStylus stylus(lightDevice(), StylusPath(), {});
-  stylus.open();
-  follow(stylus, 0.1, {1, 0, 0});
-  stylus.close();
-  stylus.close();
-  stylus.open();
   DeviceState state;
-  stylus.read(5, state);
-  stylus.read(6, state);
-  EXPECT_EQ(state.position, Vector3d::Zero());
+  const auto closeIt = [&] { stylus.close(), stylus.close(); };
+  const auto loseIt = [&] { stylus.unplug(), stylus.replug(); };
+  for (const std::function<void()>& end : {std::function<void()>(closeIt), std::function<void()>(loseIt)}) {
+    stylus.open();
+    follow(stylus, 0.1, {1, 0, 0});
+    end();
+    stylus.open();
+    stylus.read(5, state);
+    stylus.read(6, state);
+    EXPECT_EQ(state.position, Vector3d::Zero());
+  }
 }
 
 TEST(SimulatedStylus, AReadThatComesAnHourLaterIsNoHurdle) {
