@@ -16,7 +16,7 @@ namespace {
 constexpr double kLongestStep = 1.0 / 16000;  // [s]
 // A second's worth: a read that comes later than that takes longer steps, which stay stable, rather than
 // long.
-constexpr double kMostSteps = 16000;
+constexpr int kMostSteps = 16000;
 
 }  // namespace
 
@@ -61,10 +61,10 @@ bool SimulatedStylus::read(double time, DeviceState& state) noexcept {
   if (!hasStarted_) start(time);
 
   if (const double dt = time - time_; dt > 0) {
-    const double steps = std::clamp(std::ceil(dt / kLongestStep), 1.0, kMostSteps);
+    const int steps = static_cast<int>(std::clamp(std::ceil(dt / kLongestStep), 1.0, double{kMostSteps}));
     const double h = dt / steps;
     Eigen::Vector3d handFrom = path_.position(time_);
-    for (double i = 1; i <= steps; ++i) {
+    for (int i = 1; i <= steps; ++i) {
       const Eigen::Vector3d handTo = path_.position(time_ + i * h);
       step(handFrom, handTo, h);
       handFrom = handTo;
