@@ -47,8 +47,9 @@ Vector3d Proxy::carried() const {
   return weights > 0 ? Vector3d(position_ + sum / weights) : position_;
 }
 
-void Proxy::rest(const HalfSpaceProjection& touching) {
+void Proxy::rest() {
   contactCount_ = 0;
+  const HalfSpaceProjection touching = space_.alongTouched(device_);
   for (const HalfSpaceProjection::Active& active : touching.active()) {
     if (active.depth <= 0) continue;
     const ClearSpace::Plane& plane = space_.plane(active.label);
@@ -72,16 +73,15 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   device_ = device;
   near_.advance(shapes, position_);
   position_ = carried();
-  Vector3d anchor = position_;
-  bool slips = slides_, moved = false;
+  Vector3d anchor = position_, goal = device;
+  bool drags = false, moved = false;
   for (int steps = 0, leaps = 0;;) {
     const double reach = near_.gather(shapes, position_, radius_, radius_ + stride);
     space_.look(near_, position_, radius_, reach);
-    const HalfSpaceProjection touching = space_.alongTouched(device);
-    const Vector3d wanted = stepFrom(touching, device, anchor, slips);
+    const Vector3d wanted = stepTo(goal, anchor, drags);
     const double length = (wanted - position_).norm();
     if (length < kStill || steps == kMaxSteps || leaps == kMaxLeaps) {
-      rest(touching);
+      rest();
       break;
     }
     moved = true;
@@ -95,13 +95,18 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
     }
     near_.moveTo(position_);
   }
-  slides_ = slips && moved;
+  slides_ = drags && moved;
   near_.settle(position_, radius_);
 }
 
 /// Where friction and all that is near let the ball go from where it is.
-Vector3d Proxy::stepFrom(const HalfSpaceProjection& touching, const Vector3d& target, Vector3d& anchor,
-                         bool& slips) {
+Vector3d Proxy::stepTo(Vector3d& goal, Vector3d& anchor, bool& drags) {
+  const HalfSpaceProjection free = space_.nearestTo(goal);
+  const auto isRough = [this](const HalfSpaceProjection::Active& active) {
+    return space_.shape(active.label).now.surface.staticFriction > 0;
+  };
+  if (drags || std::ranges::none_of(free.active(), isRough)) return free.point();
+  const HalfSpaceProjection touching = space_.alongTouched(goal);
   double still = 0, sliding = 0;  // [m] that friction holds back: mu times depth
   for (const HalfSpaceProjection::Active& active : touching.active()) {
     const TouchSurface& surface = space_.shape(active.label).now.surface;
@@ -112,20 +117,18 @@ Vector3d Proxy::stepFrom(const HalfSpaceProjection& touching, const Vector3d& ta
     const Vector3d held = space_.nearestTo(anchor).point();
     const Vector3d way = touching.point() - held;
     const double length = way.norm();
-    if (length <= (slips ? sliding : still)) return held;
-    slips = true;
-    return space_.nearestTo(held + (1 - sliding / length) * way).point();
+    if (length <= (slides_ ? sliding : still)) return held;
+    drags = true;
+    goal -= sliding / length * way;
+    return space_.nearestTo(goal).point();
   }
-  const HalfSpaceProjection free = space_.nearestTo(target);
-  double part = 1;  // of the way, until something that has friction is met
+  double part = 1;  // of the way, until what has friction is met
   for (const HalfSpaceProjection::Active& active : free.active()) {
-    if (space_.shape(active.label).now.surface.staticFriction <= 0) continue;
-    const double closing = active.normal.dot(position_ - target);
+    const double closing = active.normal.dot(position_ - goal);
     const double gap = active.normal.dot(position_) - space_.plane(active.label).offset;
-    if (closing > 0) part = std::min(part, std::max(0.0, gap) / closing);
+    if (closing > 0 && isRough(active)) part = std::min(part, std::max(0.0, gap) / closing);
   }
-  if (part == 1) return free.point();
-  anchor = space_.nearestTo(position_ + part * (target - position_)).point();
+  anchor = space_.nearestTo(position_ + part * (goal - position_)).point();
   return anchor;
 }
 

@@ -58,9 +58,8 @@ class Proxy {
 
  private:
   Eigen::Vector3d carried() const;
-  Eigen::Vector3d stepFrom(const HalfSpaceProjection& touching, const Eigen::Vector3d& target,
-                           Eigen::Vector3d& anchor, bool& slips);
-  void rest(const HalfSpaceProjection& touching);
+  Eigen::Vector3d stepTo(Eigen::Vector3d& goal, Eigen::Vector3d& anchor, bool& drags);
+  void rest();
 
   double radius_;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
