@@ -42,7 +42,6 @@ Vector3d HalfSpaceProjection::decompose(const Vector3d& normal, Vector3d& along)
 
 bool HalfSpaceProjection::add(int label, const Vector3d& normal, double offset) {
   constexpr double never = std::numeric_limits<double>::max();
-  const HalfSpaceProjection before = *this;
   double depth = 0;
   while (true) {
     Vector3d along;
@@ -58,10 +57,7 @@ bool HalfSpaceProjection::add(int label, const Vector3d& normal, double offset) 
       leaving = j;
     }
     const double step = std::min(reached, released);
-    if (step == never) {
-      *this = before;
-      return false;
-    }
+    if (step == never) return false;
     depth += step;
     for (int j = 0; j < count_; ++j) active_[j].depth = std::max(0.0, active_[j].depth - step * along[j]);
     if (reached < never) point_ += step * across;

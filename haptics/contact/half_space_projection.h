@@ -21,7 +21,7 @@ class HalfSpaceProjection {
   explicit HalfSpaceProjection(const Eigen::Vector3d& target) : point_(target) {}
 
   /// Adds a half-space that the point is outside of; its normal is a unit vector. False: the intersection is
-  /// empty, and nothing has changed.
+  /// empty, and the point means nothing any more.
   bool add(int label, const Eigen::Vector3d& normal, double offset);
 
   const Eigen::Vector3d& point() const { return point_; }

@@ -43,6 +43,13 @@ void Neighbourhood::clear() {
   shapeCount_ = 0;
   count_ = 0;
   valid_ = false;
+  ++changes_;
+}
+
+void Neighbourhood::expect(int triangle) {
+  Shape& shape = shapes_[triangles_[triangle].shape];
+  shape.likely = triangle;
+  shape.likelyIndex = triangles_[triangle].index;
 }
 
 int Neighbourhood::find(std::uint32_t id) const {
@@ -66,11 +73,13 @@ void Neighbourhood::add(const TouchShape& shape, int index, int slot) {
 Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d& point) const {
   Nearest least;
   least.distance = reach_ + (shape.view - centre_).norm();
-  visitWithin(shape, point, least.distance, [&](int i) {
+  const auto look = [&](int i) {
     const TrianglePoint on = nearestOnTriangle(triangles_[i].corners, point);
     const double distance = (point - on.point).norm();
     if (distance < least.distance) least = {i, on, distance};
-  });
+  };
+  if (shape.likely >= 0) look(shape.likely);
+  visitWithin(shape, point, least.distance, look);
   return least;
 }
 
@@ -133,7 +142,11 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
   reach_ = reach;
   bool complete = true;
   const int known = shapeCount_;
-  for (int k = 0; k < known; ++k) shapes_[k].begin = shapes_[k].end = 0;
+  for (int k = 0; k < known; ++k) {
+    shapes_[k].begin = shapes_[k].end = 0;
+    shapes_[k].likely = -1;
+  }
+  ++changes_;
   for (const TouchShape& touchable : shapes) {
     int k = find(touchable.id);
     const bool isNew = k < 0;
@@ -142,6 +155,7 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
     const Vector3d view = isNew ? position : shapes_[k].view;
     visitNear(touchable, view, reach + (view - position).norm(), [&](int index) {
       if (count_ == kMaxTriangles || k == kMaxShapes) return complete = false;
+      if (k < known && index == shapes_[k].likelyIndex) shapes_[k].likely = count_;
       add(touchable, index, k);
       return true;
     });
@@ -155,6 +169,8 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
                true,
                position,
                Vector3d::Zero(),
+               -1,
+               -1,
                first,
                count_};
       ++shapeCount_;
@@ -208,7 +224,10 @@ void Neighbourhood::settle(const Vector3d& position, double radius) {
     if (shape.felt && (shape.now.surface.twoSided || shape.now.mesh->isClosed())) continue;
     const Nearest at = nearest(shape, position);
     if (at.triangle < 0) continue;
-    shape.felt = isInFront(shape, at, position) && (shape.felt || at.distance >= radius * (1 - kOverlap));
+    const bool felt =
+        isInFront(shape, at, position) && (shape.felt || at.distance >= radius * (1 - kOverlap));
+    if (felt != shape.felt) ++changes_;
+    shape.felt = felt;
   }
 }
 

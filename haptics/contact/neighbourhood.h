@@ -25,6 +25,8 @@ class Neighbourhood {
     /// the side of the ball that it was on.
     Eigen::Vector3d view;
     Eigen::Vector3d motion;  // [m] that it went since the last tick, where it is nearest to the ball
+    int likely;              // of triangles(): the one that is nearest to the ball, as far as is known; or -1
+    int likelyIndex;         // the same, of the mesh
     int begin, end;          // its triangles: triangles()[begin] and on, up to before end
   };
 
@@ -46,6 +48,12 @@ class Neighbourhood {
 
   /// The ball has gone to `position`: all views are there.
   void moveTo(const Eigen::Vector3d& position);
+
+  /// The triangle is the nearest of its shape, and worth a look first from now on.
+  void expect(int triangle);
+
+  /// Counts what changes what is around: another number, other surroundings.
+  unsigned changes() const { return changes_; }
 
   /// The ball has come to rest at `position`: tells which shapes it feels.
   void settle(const Eigen::Vector3d& position, double radius);
@@ -86,6 +94,7 @@ class Neighbourhood {
   int shapeCount_ = 0;
   int count_ = 0;
   bool valid_ = false;
+  unsigned changes_ = 0;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  // all triangles are there that are nearer to it than
   double reach_ = 0;
 };

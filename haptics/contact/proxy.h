@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include <pleura/haptics/contact/half_space_projection.h>
+#include <pleura/haptics/contact/clear_space.h>
 #include <pleura/haptics/contact/neighbourhood.h>
 #include <pleura/haptics/contact/touch_shape.h>
 
@@ -29,16 +29,16 @@ struct ProxyContact {
 /// A ball that follows the device and never goes through a surface (Zilles and Salisbury 1995, Ruspini 1997),
 /// whatever the surface does meanwhile: what it rests on carries it along.
 ///
-/// A triangle is convex, so it lies on one side of the plane through its point nearest to the ball and across
-/// the way there. As long as the centre stays one radius off that plane on the other side, the whole straight
-/// way is clear of the triangle. A step therefore goes to the point nearest to the device that all these
-/// half-spaces have in common, and steps follow each other until none goes any nearer.
+/// A step goes to the point nearest to the device that can be reached straight on (see ClearSpace), and steps
+/// follow each other until none goes any nearer.
 class Proxy {
  public:
   static constexpr int kMaxContacts = 3;
 
   /// radius [m] > 0 of the ball.
   explicit Proxy(double radius);
+  Proxy(const Proxy&) = delete;
+  Proxy& operator=(const Proxy&) = delete;
 
   /// Puts the ball there, touching nothing. What it stands in or behind isn't felt until the ball has left
   /// it.
@@ -57,28 +57,18 @@ class Proxy {
   }
 
  private:
-  /// The half-space that a triangle leaves to the centre: normal . x >= offset.
-  struct Plane {
-    Eigen::Vector3d normal;
-    double offset;
-    double gap;  // [m] between ball and triangle
-    TrianglePoint on;
-    const Neighbourhood::Triangle* triangle;
-  };
-  struct Planes;
-
   Eigen::Vector3d carried() const;
-  Eigen::Vector3d stepFrom(const Planes& planes, const HalfSpaceProjection& touching,
-                           const Eigen::Vector3d& target, Eigen::Vector3d& anchor, bool& slips) const;
-  void rest(const Planes& planes, const HalfSpaceProjection& touching);
+  Eigen::Vector3d stepTo(Eigen::Vector3d& goal, Eigen::Vector3d& anchor, bool& drags);
+  void rest();
 
   double radius_;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d device_ = Eigen::Vector3d::Zero();
   Neighbourhood near_;
+  ClearSpace space_;
   std::array<ProxyContact, kMaxContacts> contacts_;
   int contactCount_ = 0;
-  int guess_ = -1;  // index of the triangle that was nearest
+  double stride_ = 0;  // [m] that is looked about for
   bool slides_ = false;
 };
 
