@@ -69,9 +69,10 @@ void Servo::tick(double time, bool hasMissedDeadline) {
   takeFrame(time);
   const TouchFrame& now = frame();
   const Tracked tracked = trackedIn(now.workspace);
-  if (proxy_.radius() != now.tipRadius) proxy_ = Proxy(now.tipRadius);
-  if (!isConnected || !wasConnected_) {
-    proxy_.reset(tracked.position);
+  const bool isNew = !proxy_ || proxy_->radius() != now.tipRadius;
+  if (isNew) proxy_.emplace(now.tipRadius);
+  if (isNew || !isConnected || !wasConnected_) {
+    proxy_->reset(tracked.position);
     guard_.restart();
   }
   wasConnected_ = isConnected;
@@ -89,16 +90,16 @@ ForceGuard::Rendered Servo::render(const Tracked& tracked, double time) {
   const TouchFrame& now = frame();
   const double s = now.duration > 0 ? std::clamp((time - frameStart_) / now.duration, 0.0, 1.0) : 1.0;
   const auto shapes = instants(s);
-  proxy_.follow(shapes, tracked.position);
+  proxy_->follow(shapes, tracked.position);
   const Eigen::Matrix3d toDevice = now.workspace.placement.linear().transpose();
   const double scale = now.workspace.scale;
-  ForceGuard::Rendered rendered{.carried = toDevice * motionOf(proxy_.contacts()) / scale,
+  ForceGuard::Rendered rendered{.carried = toDevice * motionOf(proxy_->contacts()) / scale,
                                 .limit = now.forceLimit};
   const bool isAllowed = now.isEnabled && (!now.deadmansSwitch || (state_.buttons & 1) != 0);
   const Vector3d effects = effectForces(tracked, time);
   if (!isAllowed) return rendered;
   // A surface's stiffness is that of the hand's metres: a workspace drawn large makes nothing harder.
-  rendered.contact = toDevice * contactForce(proxy_, tracked.position, tracked.velocity, period_) / scale;
+  rendered.contact = toDevice * contactForce(*proxy_, tracked.position, tracked.velocity, period_) / scale;
   rendered.effects = toDevice * effects;
   return rendered;
 }
@@ -170,11 +171,11 @@ void Servo::report(double time, const Tracked& tracked, const GuardedForce& give
   out.trackerPosition = tracked.position;
   out.trackerOrientation = tracked.orientation;
   out.trackerVelocity = tracked.velocity;
-  out.proxyPosition = proxy_.position();
+  out.proxyPosition = proxy_->position();
   out.force = given.force;
   out.torque = Vector3d::Zero();
   out.contactCount = 0;
-  for (const ProxyContact& contact : proxy_.contacts()) {
+  for (const ProxyContact& contact : proxy_->contacts()) {
     auto& told = out.contacts[static_cast<std::size_t>(out.contactCount++)];
     told.shape = contact.shape;
     told.point = contact.point;

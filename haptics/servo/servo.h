@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include <pleura/haptics/contact/proxy.h>
 #include <pleura/haptics/device/haptic_device.h>
@@ -53,7 +54,7 @@ class Servo {
   HapticDevice& device_;
   double period_;
   DeviceState state_;
-  Proxy proxy_;
+  std::optional<Proxy> proxy_;  // of the frame's radius
   ForceGuard guard_;
   bool wasConnected_ = false;
   double frameStart_ = 0;                                                // [s], when frame() was taken
