@@ -63,8 +63,8 @@ void Proxy::rest() {
 
 void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   const Vector3d device = isPlace(asked) ? asked : device_;
-  const double least = std::max(radius_ / 16, 1.25 * (device - device_).norm());
-  if (least > stride_ || least < stride_ / 8) stride_ = 1.5 * least;
+  const double least = std::max(radius_ / 16, 1.125 * (device - device_).norm());
+  if (least > stride_ || least < stride_ / 8) stride_ = 1.1 * least;
   double stride = stride_;
   for (const TouchShape& shape : shapes) {
     assert(shape.s >= 0 && shape.s <= 1);
