@@ -42,6 +42,7 @@ class ClearSpace {
   int count() const { return count_; }
   const Plane& plane(int label) const { return planes_[label]; }
   const Neighbourhood::Shape& shape(int label) const { return shapeOf(planes_[label].triangle); }
+  bool touches(int label) const { return planes_[label].gap <= kTouch; }
   int meshTriangle(int label) const { return triangle(planes_[label].triangle).index; }
 
  private:
