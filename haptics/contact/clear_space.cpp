@@ -27,33 +27,43 @@ void ClearSpace::look(Neighbourhood& near, const Vector3d& position, double radi
   position_ = position;
   radius_ = radius;
   range_ = reach - radius;
-  count_ = waitingCount_ = 0;
+  count_ = 0;
+  nearest_ = -1;
   for (int k = 0; k < static_cast<int>(near.shapes().size()); ++k) {
     const Neighbourhood::Shape& shape = near.shapes()[k];
     screens_[k] = -1;
     if (!shape.felt) continue;
     Plane screen;
     if (shape.likely >= 0) {
-      screen = planeOf(shape.likely);
-      if (std::abs(screen.gap) <= kTouch && insert(screen)) screens_[k] = shape.likely;
+      screen = planeThrough(nearestOnTriangle(triangle(shape.likely).corners, shape.view), shape.likely);
+      if (std::abs(screen.gap) <= kTouch && keep(screen)) screens_[k] = shape.likely;
     }
     const double farthest = reach + (shape.view - position).norm();
     near.visitWithin(shape, shape.view, farthest, [&](int index) {
       if (screens_[k] >= 0 && (index == screens_[k] || isBehind(index, screen))) return;
-      if (isOff(index, shape.view, shape.view, radius + kTouch) && waitingCount_ < kMaxPlanes) {
-        waiting_[waitingCount_++] = index;
-        return;
-      }
-      const Plane plane = planeOf(index);
-      if (plane.gap + radius <= farthest) insert(plane);
+      const TrianglePoint on = nearestOnTriangle(triangle(index).corners, shape.view);
+      if ((shape.view - on.point).squaredNorm() <= farthest * farthest) keep(planeThrough(on, index));
     });
   }
-  for (int label = count_; label-- > 0;) near.expect(planes_[label].triangle);
+  tellNearest(near);
 }
 
-ClearSpace::Plane ClearSpace::planeOf(int index) const {
+/// What is nearest now will do to start from the next time.
+void ClearSpace::tellNearest(Neighbourhood& near) {
+  std::array<double, Neighbourhood::kMaxShapes> least;
+  least.fill(std::numeric_limits<double>::max());
+  for (int label = 0; label < count_; ++label) {
+    const Plane& plane = planes_[label];
+    double& gap = least[triangle(plane.triangle).shape];
+    if (plane.gap >= gap) continue;
+    gap = plane.gap;
+    near.expect(plane.triangle);
+    if (nearest_ < 0 || gap < planes_[nearest_].gap) nearest_ = label;
+  }
+}
+
+ClearSpace::Plane ClearSpace::planeThrough(const TrianglePoint& on, int index) const {
   const Neighbourhood::Shape& shape = shapeOf(index);
-  const TrianglePoint on = nearestOnTriangle(triangle(index).corners, shape.view);
   const Vector3d way = shape.view - on.point;
   const double distance = way.norm();
   const Vector3d normal = distance > kOnSurface
@@ -67,26 +77,16 @@ bool ClearSpace::isBehind(int index, const Plane& plane) const {
   return (plane.normal.transpose() * triangle(index).corners).maxCoeff() <= plane.offset - radius_ + kCover;
 }
 
-/// Whether both ends of a way are so far off the triangle's own plane, on the same side.
-bool ClearSpace::isOff(int index, const Vector3d& from, const Vector3d& to, double distance) const {
-  const Corners& c = triangle(index).corners;
-  const Vector3d normal = (c.col(1) - c.col(0)).cross(c.col(2) - c.col(0));
-  const double needed = (distance - kCover) * normal.norm();
-  const double before = normal.dot(from - c.col(0)), after = normal.dot(to - c.col(0));
-  return needed > 0 && ((before >= needed && after >= needed) || (before <= -needed && after <= -needed));
-}
-
-/// Keeps the nearest first. False where there was no room; then the ball may go as far as the gap only.
-bool ClearSpace::insert(const Plane& plane) {
-  if (count_ == kMaxPlanes) {
-    Plane& last = planes_[count_ - 1];
-    range_ = std::min(range_, std::max({last.gap, plane.gap, 0.0}));
-    if (plane.gap >= last.gap) return false;
-    --count_;
+/// False where there is no room; the ball may go no farther than to what was left out.
+bool ClearSpace::keep(const Plane& plane) {
+  if (count_ < kMaxPlanes) {
+    planes_[count_++] = plane;
+    return true;
   }
-  int place = count_++;
-  for (; place > 0 && planes_[place - 1].gap > plane.gap; --place) planes_[place] = planes_[place - 1];
-  planes_[place] = plane;
+  const auto farthest = std::ranges::max_element(planes_, {}, &Plane::gap);
+  range_ = std::min(range_, std::max({farthest->gap, plane.gap, 0.0}));
+  if (plane.gap >= farthest->gap) return false;
+  *farthest = plane;
   return true;
 }
 
@@ -101,39 +101,31 @@ bool ClearSpace::isCovered(int label, const HalfSpaceProjection& projection, dou
   const Plane& plane = planes_[label];
   if (plane.triangle == screens_[triangle(plane.triangle).shape]) return false;
   const Vector3d& point = projection.point();
-  if (covers(planes_[0], plane, point, shrink)) return true;
+  if (covers(planes_[nearest_], plane, point, shrink)) return true;
   for (const HalfSpaceProjection::Active& active : projection.active())
     if (covers(planes_[active.label], plane, point, shrink)) return true;
-  return isOff(plane.triangle, shape(label).view, point, radius_ - shrink);
+  // the triangle's own plane
+  const Corners& c = triangle(plane.triangle).corners;
+  const Vector3d normal = (c.col(1) - c.col(0)).cross(c.col(2) - c.col(0));
+  const double needed = (radius_ - shrink - kCover) * normal.norm();
+  const double before = normal.dot(shape(label).view - c.col(0)), after = normal.dot(point - c.col(0));
+  return needed > 0 && ((before >= needed && after >= needed) || (before <= -needed && after <= -needed));
 }
 
-/// The first half-space that the point is outside of and nothing makes up for, or -1.
-int ClearSpace::findViolated(const HalfSpaceProjection& projection, double farthest, double shrink) {
-  const Vector3d& point = projection.point();
-  const auto isViolated = [&](int label) {
+/// The nearest half-space that the point is outside of and nothing makes up for, or -1.
+int ClearSpace::findViolated(const HalfSpaceProjection& projection, double farthest, double shrink) const {
+  int nearest = -1;
+  for (int label = 0; label < count_; ++label) {
     const Plane& plane = planes_[label];
-    return plane.gap <= farthest && plane.normal.dot(point) < plane.offset - shrink - kSlack &&
-           !isCovered(label, projection, shrink);
-  };
-  for (int label = 0; label < count_; ++label)
-    if (isViolated(label)) return label;
-  for (int k = 0; k < waitingCount_; ++k) {
-    const int index = waiting_[k];
-    if (isOff(index, shapeOf(index).view, point, radius_ - shrink)) continue;
-    waiting_[k--] = waiting_[--waitingCount_];
-    const Plane plane = planeOf(index);
-    if (count_ == kMaxPlanes) {
-      range_ = std::min(range_, std::max(plane.gap, 0.0));
-      continue;
-    }
-    planes_[count_++] = plane;  // the labels of the others stay
-    if (isViolated(count_ - 1)) return count_ - 1;
+    if (plane.gap > farthest || (nearest >= 0 && plane.gap >= planes_[nearest].gap)) continue;
+    if (plane.normal.dot(projection.point()) >= plane.offset - shrink - kSlack) continue;
+    if (!isCovered(label, projection, shrink)) nearest = label;
   }
-  return -1;
+  return nearest;
 }
 
 /// False if the half-spaces have nothing in common.
-bool ClearSpace::addAll(HalfSpaceProjection& projection, double farthest, double shrink) {
+bool ClearSpace::addAll(HalfSpaceProjection& projection, double farthest, double shrink) const {
   for (int n = 0; n < kMaxAdditions; ++n) {
     const int label = findViolated(projection, farthest, shrink);
     if (label < 0) return true;
@@ -142,7 +134,7 @@ bool ClearSpace::addAll(HalfSpaceProjection& projection, double farthest, double
   return true;
 }
 
-HalfSpaceProjection ClearSpace::project(const Vector3d& target, double farthest) {
+HalfSpaceProjection ClearSpace::project(const Vector3d& target, double farthest) const {
   constexpr int kParts = 8;
   for (int part = 0; part <= kParts; ++part) {
     HalfSpaceProjection projection(target);

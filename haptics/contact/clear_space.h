@@ -34,14 +34,15 @@ class ClearSpace {
 
   /// The place nearest to the target that can be reached; a label of its active() is an index for plane(). A
   /// ball that is squeezed gives way.
-  HalfSpaceProjection nearestTo(const Eigen::Vector3d& target) { return project(target, kEverywhere); }
+  HalfSpaceProjection nearestTo(const Eigen::Vector3d& target) const { return project(target, kEverywhere); }
 
   /// The same with nothing in the way but what the ball touches.
-  HalfSpaceProjection alongTouched(const Eigen::Vector3d& target) { return project(target, kTouch); }
+  HalfSpaceProjection alongTouched(const Eigen::Vector3d& target) const { return project(target, kTouch); }
 
   int count() const { return count_; }
   const Plane& plane(int label) const { return planes_[label]; }
   const Neighbourhood::Shape& shape(int label) const { return shapeOf(planes_[label].triangle); }
+  bool touches(int label) const { return planes_[label].gap <= kTouch; }
   int meshTriangle(int label) const { return triangle(planes_[label].triangle).index; }
 
  private:
@@ -51,26 +52,24 @@ class ClearSpace {
 
   const Neighbourhood::Triangle& triangle(int index) const { return near_->triangles()[index]; }
   const Neighbourhood::Shape& shapeOf(int index) const { return near_->shapes()[triangle(index).shape]; }
-  Plane planeOf(int triangle) const;
+  Plane planeThrough(const TrianglePoint& on, int triangle) const;
   bool isBehind(int triangle, const Plane& plane) const;
-  bool isOff(int triangle, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double distance) const;
-  bool insert(const Plane& plane);
+  bool keep(const Plane& plane);
+  void tellNearest(Neighbourhood& near);
   bool covers(const Plane& plane, const Plane& other, const Eigen::Vector3d& point, double shrink) const;
   bool isCovered(int label, const HalfSpaceProjection& projection, double shrink) const;
-  int findViolated(const HalfSpaceProjection& projection, double farthest, double shrink);
-  bool addAll(HalfSpaceProjection& projection, double farthest, double shrink);
-  HalfSpaceProjection project(const Eigen::Vector3d& target, double farthest);
+  int findViolated(const HalfSpaceProjection& projection, double farthest, double shrink) const;
+  bool addAll(HalfSpaceProjection& projection, double farthest, double shrink) const;
+  HalfSpaceProjection project(const Eigen::Vector3d& target, double farthest) const;
 
   const Neighbourhood* near_ = nullptr;
   unsigned seen_ = 0;  // of the neighbourhood's changes
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
   double radius_ = 0;
   double range_ = 0;
-  std::array<Plane, kMaxPlanes> planes_;  // nearest first, then those that were wanted later
+  std::array<Plane, kMaxPlanes> planes_;
   int count_ = 0;
-  std::array<int, kMaxPlanes>
-      waiting_;  // triangles whose planes are wanted only if their own planes are crossed
-  int waitingCount_ = 0;
+  int nearest_ = -1;                                    // label
   std::array<int, Neighbourhood::kMaxShapes> screens_;  // a shape's triangle whose plane is kept to, or -1
 };
 

@@ -58,16 +58,20 @@ int Neighbourhood::find(std::uint32_t id) const {
   return -1;
 }
 
-void Neighbourhood::add(const TouchShape& shape, int index, int slot) {
+/// Whether a triangle's ball is nearer to a point than a distance; then the triangle is added, if there is
+/// room.
+bool Neighbourhood::reaches(const TouchShape& shape, int index, const Vector3d& point, double distance) {
   Triangle& triangle = triangles_[count_];
-  triangle = {cornersOf(shape, index), slot, index};
-  const Vector3d mean = triangle.corners.rowwise().mean();
-  const Eigen::Matrix3f spokes = (triangle.corners.colwise() - mean).cast<float>();
+  triangle.corners = cornersOf(shape, index);
+  const auto [centre, radius] = ballAbout(triangle.corners);
+  if ((centre - point).squaredNorm() > (distance + radius) * (distance + radius)) return false;
+  triangle.index = index;
   FourBalls& four = balls_[count_ / 4];
   const int k = count_ % 4;
-  for (int axis = 0; axis < 3; ++axis) four.centre(k, axis) = static_cast<float>(mean[axis] - centre_[axis]);
-  four.radius[k] = std::sqrt(spokes.colwise().squaredNorm().maxCoeff());
-  ++count_;
+  for (int axis = 0; axis < 3; ++axis)
+    four.centre(k, axis) = static_cast<float>(centre[axis] - centre_[axis]);
+  four.radius[k] = static_cast<float>(radius);
+  return true;
 }
 
 Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d& point) const {
@@ -83,26 +87,26 @@ Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d
   return least;
 }
 
-/// The ball's way with the triangle that is nearest to it; false where the shape stands still there.
-bool Neighbourhood::carry(Shape& shape, const TouchShape& next, const Vector3d& position) const {
+/// The ball's way with the triangle that is nearest to it.
+void Neighbourhood::carry(Shape& shape, const TouchShape& next, const Vector3d& position) const {
   shape.view = position;
   shape.motion.setZero();
   const Nearest at = nearest(shape, position);
-  if (at.triangle < 0) return false;
+  if (at.triangle < 0) return;
   const Corners& before = triangles_[at.triangle].corners;
   const Corners after = cornersOf(next, triangles_[at.triangle].index);
-  if (before == after) return false;
+  if (before == after) return;
   const Vector3d offset = position - at.on.point;
   Matrix3d frameBefore, frameAfter;
   const bool turns = frameOf(before, frameBefore) && frameOf(after, frameAfter);
   const Vector3d point = after * at.on.weights;
   shape.motion = point - at.on.point;
   shape.view = point + (turns ? Vector3d(frameAfter * (frameBefore.transpose() * offset)) : offset);
-  return true;
 }
 
 void Neighbourhood::advance(std::span<const TouchShape> shapes, const Vector3d& position) {
   int kept = 0;
+  moving_ = false;
   std::array<bool, kMaxShapes> here{};
   for (int k = 0; k < shapeCount_; ++k) {
     Shape& shape = shapes_[k];
@@ -118,6 +122,7 @@ void Neighbourhood::advance(std::span<const TouchShape> shapes, const Vector3d& 
     } else {
       carry(shape, *next, position);
       valid_ = false;
+      moving_ = true;
     }
     shape.now = *next;
     shape.from = next->from->serial;
@@ -131,7 +136,9 @@ void Neighbourhood::advance(std::span<const TouchShape> shapes, const Vector3d& 
     return;
   }
   for (const TouchShape& shape : shapes)
-    if (find(shape.id) < 0) visitNear(shape, centre_, reach_, [this](int) { return valid_ = false; });
+    if (find(shape.id) < 0)
+      visitNear(shape, centre_, reach_,
+                [&](int index) { return valid_ = !reaches(shape, index, centre_, reach_); });
 }
 
 /// False if there is no room for all triangles, unless a part will do.
@@ -153,10 +160,12 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
     if (isNew) k = shapeCount_;
     const int first = count_;
     const Vector3d view = isNew ? position : shapes_[k].view;
-    visitNear(touchable, view, reach + (view - position).norm(), [&](int index) {
+    const double distance = reach + (view - position).norm();
+    visitNear(touchable, view, distance, [&](int index) {
+      if (!reaches(touchable, index, view, distance)) return true;
       if (count_ == kMaxTriangles || k == kMaxShapes) return complete = false;
       if (k < known && index == shapes_[k].likelyIndex) shapes_[k].likely = count_;
-      add(touchable, index, k);
+      triangles_[count_++].shape = k;
       return true;
     });
     if (isNew && count_ == first) continue;
@@ -198,7 +207,8 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
 double Neighbourhood::gather(std::span<const TouchShape> shapes, const Vector3d& position, double radius,
                              double reach) {
   if (valid_ && (position - centre_).norm() + reach <= reach_) return reach;
-  const double slack = radius;  // so that the next ticks find theirs here too
+  // the next ticks find theirs here too, unless the shapes move on
+  const double slack = moving_ ? radius / 2 : radius;
   double room = std::min(reach, 4 * radius) + slack;
   for (int k = 0; !collect(shapes, position, radius, room, k == kMaxHalvings); ++k)
     room = radius + (room - radius) / 2;

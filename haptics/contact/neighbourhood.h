@@ -80,20 +80,21 @@ class Neighbourhood {
     double distance = 0;
   };
 
-  void add(const TouchShape& shape, int index, int slot);
+  bool reaches(const TouchShape& shape, int index, const Eigen::Vector3d& point, double distance);
   Nearest nearest(const Shape& shape, const Eigen::Vector3d& point) const;
   bool isInFront(const Shape& shape, const Nearest& at, const Eigen::Vector3d& point) const;
   int find(std::uint32_t id) const;
-  bool carry(Shape& shape, const TouchShape& next, const Eigen::Vector3d& position) const;
+  void carry(Shape& shape, const TouchShape& next, const Eigen::Vector3d& position) const;
   bool collect(std::span<const TouchShape> shapes, const Eigen::Vector3d& position, double radius,
                double reach, bool partly);
 
   std::array<Shape, kMaxShapes> shapes_;
-  std::array<Triangle, kMaxTriangles> triangles_;
-  std::array<FourBalls, kMaxTriangles / 4> balls_;
+  std::array<Triangle, kMaxTriangles + 1> triangles_;  // the last is for looking at one more
+  std::array<FourBalls, kMaxTriangles / 4 + 1> balls_;
   int shapeCount_ = 0;
   int count_ = 0;
   bool valid_ = false;
+  bool moving_ = false;  // some shape, at this tick
   unsigned changes_ = 0;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  // all triangles are there that are nearer to it than
   double reach_ = 0;
@@ -111,6 +112,7 @@ void Neighbourhood::visitWithin(const Shape& shape, const Eigen::Vector3d& point
     squared += (balls.centre.col(1) - p[1]).square();
     squared += (balls.centre.col(2) - p[2]).square();
     const Eigen::Array4f excess = squared - (balls.radius + far).square();
+    if (excess.minCoeff() > 0) continue;
     for (int k = 0; k < 4; ++k) {
       const int index = 4 * four + k;
       if (excess[k] <= 0 && index >= shape.begin && index < shape.end) visit(index);

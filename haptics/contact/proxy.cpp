@@ -47,24 +47,46 @@ Vector3d Proxy::carried() const {
   return weights > 0 ? Vector3d(position_ + sum / weights) : position_;
 }
 
-void Proxy::rest() {
-  contactCount_ = 0;
-  const HalfSpaceProjection touching = space_.alongTouched(device_);
-  for (const HalfSpaceProjection::Active& active : touching.active()) {
-    if (active.depth <= 0) continue;
-    const ClearSpace::Plane& plane = space_.plane(active.label);
-    const Neighbourhood::Shape& shape = space_.shape(active.label);
-    contacts_[contactCount_++] = {shape.now.id,     space_.meshTriangle(active.label),
-                                  plane.on.weights, plane.on.point,
-                                  plane.normal,     shape.motion,
-                                  active.depth,     shape.now.surface};
+/// The nearest magnetic surface that reaches the device.
+Proxy::Pull Proxy::pullOn(const Vector3d& device) const {
+  Pull pull{-1, 0, device};
+  double least = std::numeric_limits<double>::max();
+  for (int label = 0; label < space_.count(); ++label) {
+    const ClearSpace::Plane& plane = space_.plane(label);
+    const double height = plane.normal.dot(device) - plane.offset;
+    if (plane.gap >= least || height <= 0 || height > surface(label).magneticDistance) continue;
+    least = plane.gap;
+    pull = {label, height, device - height * plane.normal};
   }
+  return pull;
+}
+
+const TouchSurface& Proxy::surface(int label) const { return space_.shape(label).now.surface; }
+
+void Proxy::addContact(int label, double depth) {
+  const ClearSpace::Plane& plane = space_.plane(label);
+  const Neighbourhood::Shape& shape = space_.shape(label);
+  contacts_[contactCount_++] = {
+      shape.now.id, space_.meshTriangle(label), plane.on.weights, plane.on.point, plane.normal, shape.motion,
+      depth,        shape.now.surface};
+}
+
+/// The contacts of the ball where it is.
+void Proxy::rest(const Pull& pull) {
+  contactCount_ = 0;
+  bool held = pull.label >= 0 && space_.touches(pull.label);
+  for (const auto& [label, normal, depth] : space_.alongTouched(pull.place).active()) {
+    if (depth <= 0) continue;
+    addContact(label, label == pull.label ? depth - pull.height : depth);
+    if (label == pull.label) held = false;
+  }
+  if (held && contactCount_ < kMaxContacts) addContact(pull.label, -pull.height);
 }
 
 void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   const Vector3d device = isPlace(asked) ? asked : device_;
-  const double least = std::max(radius_ / 16, 1.25 * (device - device_).norm());
-  if (least > stride_ || least < stride_ / 8) stride_ = 1.5 * least;
+  const double least = std::max(radius_ / 16, 1.125 * (device - device_).norm());
+  if (least > stride_ || least < stride_ / 8) stride_ = 1.1 * least;
   double stride = stride_;
   for (const TouchShape& shape : shapes) {
     assert(shape.s >= 0 && shape.s <= 1);
@@ -73,15 +95,16 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   device_ = device;
   near_.advance(shapes, position_);
   position_ = carried();
-  Vector3d anchor = position_, goal = device;
-  bool drags = false, moved = false;
+  Vector3d anchor = position_, drag = Vector3d::Zero();
+  bool moved = false;
   for (int steps = 0, leaps = 0;;) {
     const double reach = near_.gather(shapes, position_, radius_, radius_ + stride);
     space_.look(near_, position_, radius_, reach);
-    const Vector3d wanted = stepTo(goal, anchor, drags);
+    const Pull pull = pullOn(device);
+    const Vector3d wanted = stepTo(pull, anchor, drag);
     const double length = (wanted - position_).norm();
     if (length < kStill || steps == kMaxSteps || leaps == kMaxLeaps) {
-      rest();
+      rest(pull);
       break;
     }
     moved = true;
@@ -95,40 +118,43 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
     }
     near_.moveTo(position_);
   }
-  slides_ = drags && moved;
+  slides_ = moved && drag != Vector3d::Zero();
   near_.settle(position_, radius_);
 }
 
 /// Where friction and all that is near let the ball go from where it is.
-Vector3d Proxy::stepTo(Vector3d& goal, Vector3d& anchor, bool& drags) {
-  const HalfSpaceProjection free = space_.nearestTo(goal);
+Vector3d Proxy::stepTo(const Pull& pull, Vector3d& anchor, Vector3d& drag) const {
+  const HalfSpaceProjection free = space_.nearestTo(pull.place - drag);
   const auto isRough = [this](const HalfSpaceProjection::Active& active) {
-    return space_.shape(active.label).now.surface.staticFriction > 0;
+    return surface(active.label).staticFriction > 0;
   };
-  if (drags || std::ranges::none_of(free.active(), isRough)) return free.point();
-  const HalfSpaceProjection touching = space_.alongTouched(goal);
+  const bool holds = pull.label >= 0 && surface(pull.label).staticFriction > 0 && space_.touches(pull.label);
+  if (drag != Vector3d::Zero() || (!holds && std::ranges::none_of(free.active(), isRough)))
+    return free.point();
+
+  const HalfSpaceProjection touching = space_.alongTouched(pull.place);
   double still = 0, sliding = 0;  // [m] that friction holds back: mu times depth
-  for (const HalfSpaceProjection::Active& active : touching.active()) {
-    const TouchSurface& surface = space_.shape(active.label).now.surface;
-    still += surface.staticFriction * active.depth;
-    sliding += surface.dynamicFriction * active.depth;
-  }
+  const auto addFriction = [&](int label, double depth) {
+    still += surface(label).staticFriction * depth;
+    sliding += surface(label).dynamicFriction * depth;
+  };
+  for (const HalfSpaceProjection::Active& active : touching.active()) addFriction(active.label, active.depth);
+  if (holds) addFriction(pull.label, pull.height);
   if (still > 0) {
     const Vector3d held = space_.nearestTo(anchor).point();
     const Vector3d way = touching.point() - held;
     const double length = way.norm();
     if (length <= (slides_ ? sliding : still)) return held;
-    drags = true;
-    goal -= sliding / length * way;
-    return space_.nearestTo(goal).point();
+    drag = sliding / length * way;
+    return space_.nearestTo(pull.place - drag).point();
   }
   double part = 1;  // of the way, until what has friction is met
   for (const HalfSpaceProjection::Active& active : free.active()) {
-    const double closing = active.normal.dot(position_ - goal);
+    const double closing = active.normal.dot(position_ - pull.place);
     const double gap = active.normal.dot(position_) - space_.plane(active.label).offset;
     if (closing > 0 && isRough(active)) part = std::min(part, std::max(0.0, gap) / closing);
   }
-  anchor = space_.nearestTo(position_ + part * (goal - position_)).point();
+  anchor = space_.nearestTo(position_ + part * (pull.place - position_)).point();
   return anchor;
 }
 

@@ -58,8 +58,18 @@ class Proxy {
 
  private:
   Eigen::Vector3d carried() const;
-  Eigen::Vector3d stepTo(Eigen::Vector3d& goal, Eigen::Vector3d& anchor, bool& drags);
-  void rest();
+  /// What a magnetic surface does.
+  struct Pull {
+    int label;              // of its plane in space_, or -1
+    double height;          // [m] that the device is off the surface
+    Eigen::Vector3d place;  // where the device then counts to be
+  };
+
+  Pull pullOn(const Eigen::Vector3d& device) const;
+  Eigen::Vector3d stepTo(const Pull& pull, Eigen::Vector3d& anchor, Eigen::Vector3d& drag) const;
+  void rest(const Pull& pull);
+  void addContact(int label, double depth);
+  const TouchSurface& surface(int label) const;
 
   double radius_;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();

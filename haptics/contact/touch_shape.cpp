@@ -25,13 +25,12 @@ double angleAt(const Corners& c, int k) {
 Corners cornersOf(const TouchShape& shape, int triangle) {
   const Vector3i& t = shape.mesh->triangles()[triangle];
   const bool moves = shape.from != shape.to;
-  Corners corners;
+  Corners local;
   for (int k = 0; k < 3; ++k) {
-    Vector3d local = shape.from->points[t[k]].cast<double>();
-    if (moves) local += double(shape.s) * (shape.to->points[t[k]].cast<double>() - local);
-    corners.col(k) = shape.pose * local;
+    local.col(k) = shape.from->points[t[k]].cast<double>();
+    if (moves) local.col(k) += double(shape.s) * (shape.to->points[t[k]].cast<double>() - local.col(k));
   }
-  return corners;
+  return (shape.pose.linear() * local).colwise() + shape.pose.translation();
 }
 
 Vector3d outward(const TouchShape& shape, int triangle, const Vector3d& weights) {

@@ -31,8 +31,8 @@ Corners cornersOf(const TouchShape& shape, int triangle);
 Eigen::Vector3d outward(const TouchShape& shape, int triangle, const Eigen::Vector3d& weights);
 
 /// The triangles whose boxes reach into the cube of that half side [m] about a point of the world;
-/// visit(triangle) returns false to end. No triangle whose distance is less than the half side is left out.
-/// Not for points beyond a float's range.
+/// visit(triangle) returns false to end. No triangle that is nearer than the half side is left out. Not for
+/// points beyond a float's range.
 template <class Visit>
 void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double halfSide, Visit visit);
 
