@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace pleura {
 
@@ -25,10 +26,13 @@ struct MissingInputError : FieldError {
   using FieldError::FieldError;
 };
 
-/// Text that is no value of the field's type. `offset` is where in the text, in bytes.
+/// Text that is no value of the field's type. `offset` is where in the text, in bytes; `found` is what was
+/// there instead, empty where it is the word at that place.
 struct FieldParseError : FieldError {
-  FieldParseError(const std::string& expected, std::size_t at) : FieldError(expected), offset(at) {}
+  FieldParseError(const std::string& expected, std::size_t at, std::string instead = {})
+      : FieldError(expected), offset(at), found(std::move(instead)) {}
   std::size_t offset;
+  std::string found;
 };
 
 }  // namespace pleura

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -91,6 +92,8 @@ class MField : public Field {
   }
 
   void setValueFromString(std::string_view text, NodeId id = nullptr, double scale = 1) override {
+    if constexpr (std::is_same_v<T, std::string>)
+      if (isUnquoted(text)) return setValue({std::string(text)}, id);
     std::vector<T> read;
     TextReader reader(text, scale);
     while (!reader.atEnd()) {

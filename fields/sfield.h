@@ -74,7 +74,7 @@ class SField : public Field {
       T read{};
       TextReader reader(text, scale);
       reader.read(read);
-      if (!reader.atEnd()) reader.fail("nothing more");
+      reader.expectEnd();
       checkRange(read, 0);
       setValue(std::move(read), id);
     }

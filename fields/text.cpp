@@ -20,6 +20,7 @@ bool endsToken(const char* at, const char* end) {
 template <class Number>
 void TextReader::readNumber(Number& value, const char* expected) {
   skipSpace();
+  if (at_ == end_ && numbersAValue_ > 1) failShort();
   const bool hasPlus = end_ - at_ > 1 && at_[0] == '+' && at_[1] != '-';
   Number number{};
   auto [to, error] = std::from_chars(hasPlus ? at_ + 1 : at_, end_, number);
@@ -34,6 +35,18 @@ void TextReader::readNumber(Number& value, const char* expected) {
   }
   at_ = to;
   value = number;
+  ++numbers_;
+}
+
+/// The text ends within a value of several numbers.
+void TextReader::failShort() const {
+  const char* of = numbers_ > numbersAValue_ ? "a multiple of " : "";
+  throw FieldParseError(fmt::format("{}{} numbers", of, numbersAValue_), offset(), fmt::to_string(numbers_));
+}
+
+void TextReader::expectEnd() {
+  if (atEnd()) return;
+  fail(numbersAValue_ > 1 ? fmt::format("nothing more after {} numbers", numbersAValue_) : "nothing more");
 }
 
 /// A number too near to zero for a float, which other programs write from doubles.
@@ -74,8 +87,9 @@ void TextReader::read(bool& value) {
 
 void TextReader::read(Rotation& value) {
   Rotation rotation;
+  numbersAValue_ = 4;
   const double scale = std::exchange(scale_, 1.0);
-  read(rotation.axis);
+  for (float& each : rotation.axis) read(each);
   scale_ = scale;
   read(rotation.angle);
   value = rotation;
@@ -118,6 +132,11 @@ void TextReader::read(NodePtr& value) {
     fail("a node element, not text");
   at_ += kNull.size();
   value = nullptr;
+}
+
+bool isUnquoted(std::string_view text) {
+  return text.find('"') == std::string_view::npos &&
+         text.find_first_not_of(" \t\n\r,") != std::string_view::npos;
 }
 
 void print(std::string& out, bool value) { out += value ? "true" : "false"; }

@@ -25,6 +25,8 @@ class TextReader {
   }
   std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
   [[noreturn]] void fail(const std::string& expected) const { throw FieldParseError(expected, offset()); }
+  /// Throws FieldParseError where something is left after a single value.
+  void expectEnd();
 
   void read(bool& value);
   void read(std::int32_t& value);
@@ -40,6 +42,7 @@ class TextReader {
 
   template <class Scalar, int Rows, int Columns>
   void read(Eigen::Matrix<Scalar, Rows, Columns>& value) {
+    numbersAValue_ = Rows * Columns;
     for (int i = 0; i < value.size(); ++i) read(value(i / Columns, i % Columns));
   }
 
@@ -50,12 +53,18 @@ class TextReader {
   template <class Number>
   void readNumber(Number& value, const char* expected);
   bool readTiny(float& value) const;
+  [[noreturn]] void failShort() const;
 
   const char* begin_;
   const char* at_;
   const char* end_;
   double scale_;
+  std::size_t numbersAValue_ = 1;
+  std::size_t numbers_ = 0;  // read so far
 };
+
+/// A text that X3D means for a list of strings and that has none in double quotes: it is read as one string.
+bool isUnquoted(std::string_view text);
 
 /// Appends the text of a value, the shortest that reads back the same.
 void print(std::string& out, bool value);

@@ -67,4 +67,8 @@ std::string nearestName(std::string_view name, const std::vector<std::string_vie
   return std::string(best);
 }
 
+std::string didYouMean(const std::string& nearest) {
+  return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
+}
+
 }  // namespace pleura

@@ -40,5 +40,7 @@ class NodeRegistry {
 
 /// The nearest of `known` to `name` by edit distance, if at most a third of the letters differ; else empty.
 std::string nearestName(std::string_view name, const std::vector<std::string_view>& known);
+/// What a message of an unknown name ends with: "; did you mean NEAREST?", or nothing where none is near.
+std::string didYouMean(const std::string& nearest);
 
 }  // namespace pleura

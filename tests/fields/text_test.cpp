@@ -162,6 +162,11 @@ TEST(Text, StringsKnowTwoEscapes) {
   EXPECT_EQ(single.getValue(), R"( as "is" )");
 }
 
+TEST(Text, AListWithoutQuotesIsOneString) {
+  EXPECT_EQ(reprinted<MFString>(" left rib"), "\" left rib\"");
+  EXPECT_EQ(reprinted<MFString>(" ,\n"), "");
+}
+
 TEST(Text, PixelsAreDecimalOrHexadecimal) {
   SFImage field;
   field.setValueFromString("1 3 4 0xff00FF80 255 0X0");
@@ -227,13 +232,14 @@ INSTANTIATE_TEST_SUITE_P(Of, BadText,
                                          Bad{FieldType::SFBool, "yes", 0, "true or false"},
                                          Bad{FieldType::SFBool, "trueish", 0, "true or false"},
                                          Bad{FieldType::MFBool, "true 1", 5, "true or false"},
-                                         Bad{FieldType::SFVec3f, "1 2", 3, "finite number"},
+                                         Bad{FieldType::SFVec3f, "1 2", 3, "3 numbers"},
                                          Bad{FieldType::MFVec3f, "1 2 3 4 x 6", 8, "finite number"},
-                                         Bad{FieldType::SFMatrix3d, "1 2 3 4 5 6 7 8", 15, "finite number"},
-                                         Bad{FieldType::SFRotation, "0 0 1", 5, "finite number"},
+                                         Bad{FieldType::SFMatrix3d, "1 2 3 4 5 6 7 8", 15, "9 numbers"},
+                                         Bad{FieldType::SFRotation, "0 0 1", 5, "4 numbers"},
                                          Bad{FieldType::MFString, "\"a\" b", 4, "double quotes"},
                                          Bad{FieldType::MFString, " \"a", 1, "closing double quote"},
                                          Bad{FieldType::MFString, "\"a\\\"", 0, "closing double quote"},
+                                         Bad{FieldType::SFVec3f, "1 2 3 x", 6, "nothing more after 3"},
                                          Bad{FieldType::SFImage, "2 2 3 1 2 3", 11, "32 bits"},
                                          Bad{FieldType::SFImage, "2147483647 2147483647 1", 23, "pixels"},
                                          Bad{FieldType::SFImage, "-1 0 0", 6, "width, height"},
@@ -242,6 +248,48 @@ INSTANTIATE_TEST_SUITE_P(Of, BadText,
                                          Bad{FieldType::SFImage, "1 1 1 0x1ffffffff", 6, "hexadecimal"},
                                          Bad{FieldType::SFNode, "Rib", 0, "node element"},
                                          Bad{FieldType::MFNode, "NULL NULLNULL", 5, "node element"}));
+
+template <class F>
+std::string refusal(std::size_t numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers; ++i) text += "1 ";
+  F field;
+  try {
+    field.setValueFromString(text);
+  } catch (const FieldParseError& error) {
+    return error.what() + std::string(", found ") + error.found;
+  }
+  return "";
+}
+
+template <class Single, class List>
+void expectCounted(std::size_t n) {
+  const std::string each = std::to_string(n), less = std::to_string(n - 1), more = std::to_string(n + 1);
+  SCOPED_TRACE(Single().getTypeName());
+  EXPECT_EQ(refusal<Single>(0), each + " numbers, found 0");
+  EXPECT_EQ(refusal<Single>(n - 1), each + " numbers, found " + less);
+  EXPECT_EQ(refusal<Single>(n), "");
+  EXPECT_EQ(refusal<Single>(n + 1), "nothing more after " + each + " numbers, found ");
+  EXPECT_EQ(refusal<List>(n - 1), each + " numbers, found " + less);
+  EXPECT_EQ(refusal<List>(2 * n), "");
+  EXPECT_EQ(refusal<List>(n + 1), "a multiple of " + each + " numbers, found " + more);
+}
+
+TEST(BadTextOf, TooFewOrTooManyNumbersAreCounted) {
+  expectCounted<SFColor, MFColor>(3);
+  expectCounted<SFColorRGBA, MFColorRGBA>(4);
+  expectCounted<SFMatrix3d, MFMatrix3d>(9);
+  expectCounted<SFMatrix3f, MFMatrix3f>(9);
+  expectCounted<SFMatrix4d, MFMatrix4d>(16);
+  expectCounted<SFMatrix4f, MFMatrix4f>(16);
+  expectCounted<SFRotation, MFRotation>(4);
+  expectCounted<SFVec2d, MFVec2d>(2);
+  expectCounted<SFVec2f, MFVec2f>(2);
+  expectCounted<SFVec3d, MFVec3d>(3);
+  expectCounted<SFVec3f, MFVec3f>(3);
+  expectCounted<SFVec4d, MFVec4d>(4);
+  expectCounted<SFVec4f, MFVec4f>(4);
+}
 
 TEST(BadTextOf, AScaledNumberThatIsTooLargeIsRefused) {
   expectRefused<SFFloat>({FieldType::SFFloat, "3e38", 0, "finite number"}, 1000);

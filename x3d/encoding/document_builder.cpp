@@ -22,19 +22,13 @@ bool isReserved(std::string_view name) {
   return std::find(std::begin(kReserved), std::end(kReserved), name) != std::end(kReserved);
 }
 
-std::string didYouMean(const std::string& nearest) {
-  return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
-}
-
-/// The start of a value, for messages.
-std::string quoted(std::string_view text) {
+/// What stands there in a value, for messages.
+std::string wordAt(std::string_view text, std::size_t offset) {
+  text = text.substr(std::min(offset, text.size()));
+  text = text.substr(0, text.find_first_of(" ,\n\t\r"));
+  if (text.empty()) return "nothing";
   constexpr std::size_t kMost = 24;
   return "\"" + std::string(text.substr(0, kMost)) + (text.size() > kMost ? "..." : "") + "\"";
-}
-
-std::string_view tokenAt(std::string_view text, std::size_t offset) {
-  text = text.substr(std::min(offset, text.size()));
-  return text.substr(0, text.find_first_of(" ,\n\t\r"));
 }
 
 }  // namespace
@@ -147,22 +141,17 @@ void DocumentBuilder::setField(Node& node, const Attribute& attribute, std::size
     return source_.attributeValue(source_.tagBefore(tag), attribute.name) + offset;
   };
   Field& field = declared->of(node);
-  const bool isBare = declared->type == FieldType::MFString &&
-                      attribute.value.find('"') == std::string_view::npos &&
-                      attribute.value.find_first_not_of(" \t\n\r") != std::string_view::npos;
   try {
-    if (auto* strings = isBare ? dynamic_cast<MFString*>(&field) : nullptr) {
-      strings->setValue({std::string(attribute.value)});
-      if (told_.insert("bare string").second)
-        warn(where(0), fmt::format("{}.{}: read as one string; strings of a list stand in double quotes",
-                                   node.describe(), declared->name));
-      return;
-    }
     field.setValueFromString(attribute.value, nullptr, scaleOf(*declared));
+    if (declared->type == FieldType::MFString && isUnquoted(attribute.value) &&
+        told_.insert("unquoted").second)
+      warn(where(0), fmt::format("{}.{}: read as one string; strings of a list stand in double quotes",
+                                 node.describe(), declared->name));
   } catch (const FieldParseError& bad) {
     error(where(bad.offset),
           fmt::format("{}.{}: expected {} ({}), found {}", node.describe(), declared->name, bad.what(),
-                      name(declared->type), quoted(tokenAt(attribute.value, bad.offset))));
+                      name(declared->type),
+                      bad.found.empty() ? wordAt(attribute.value, bad.offset) : bad.found));
   } catch (const FieldAccessError&) {
     error(where(0), fmt::format("{}.{} is {}: a file can't give it a value", node.describe(), declared->name,
                                 name(declared->access)));

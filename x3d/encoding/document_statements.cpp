@@ -19,10 +19,6 @@ std::string text(const std::vector<Attribute>& attributes, std::string_view name
   return {};
 }
 
-std::string suggestion(const std::string& nearest) {
-  return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
-}
-
 }  // namespace
 
 void DocumentBuilder::addComponent(const Attributes& attributes) {
@@ -82,13 +78,13 @@ void DocumentBuilder::addImport(const Attributes& attributes, std::size_t tag) {
   if (inner == inlined_.end())
     return error(source_.attributeValue(at, "inlineDEF"),
                  fmt::format("IMPORT: no Inline {} that was loaded stands before{}", import.inlineName,
-                             suggestion(nearestNode(import.inlineName, document_.names))));
+                             didYouMean(nearestNode(import.inlineName, document_.names))));
   const Names& exported = inner->second;
   const auto node = exported.find(import.node);
   if (node == exported.end())
     return error(source_.attributeValue(at, "importedDEF"),
                  fmt::format("IMPORT: {} exports no {}{}", import.inlineName, import.node,
-                             suggestion(nearestNode(import.node, exported))));
+                             didYouMean(nearestNode(import.node, exported))));
   if (const auto [known, isNew] = document_.names.emplace(import.as, node->second);
       !isNew && known->second != node->second)
     warn(at, fmt::format("IMPORT: {} is the name of another node here, which keeps it", import.as));
@@ -98,15 +94,14 @@ void DocumentBuilder::importLibrary(const Attributes& attributes, std::size_t ta
   const std::size_t at = source_.tagBefore(tag);
   const std::string given =
       text(attributes, "library").empty() ? text(attributes, "url") : text(attributes, "library");
-  std::vector<std::string> libraries;
+  MFString libraries;
   try {
-    TextReader reader(given);
-    while (given.find('"') != std::string::npos && !reader.atEnd()) reader.read(libraries.emplace_back());
+    libraries.setValueFromString(given);
   } catch (const FieldParseError&) {
     return error(at, "ImportLibrary: library is a list of names in double quotes");
   }
   if (libraries.empty()) libraries.push_back(given);
-  for (const auto& library : libraries) {
+  for (const auto& library : libraries.getValue()) {
     document_.libraries.push_back(library);
     try {
       reader_.plugins_.load(library, reader_.registry_);
@@ -154,7 +149,7 @@ Field* DocumentBuilder::routeEnd(const std::string& nodeName, const std::string&
   const auto node = document_.names.find(nodeName);
   if (node == document_.names.end()) {
     error(at,
-          fmt::format("ROUTE: no node {}{}", nodeName, suggestion(nearestNode(nodeName, document_.names))));
+          fmt::format("ROUTE: no node {}{}", nodeName, didYouMean(nearestNode(nodeName, document_.names))));
     return nullptr;
   }
   Field* field = node->second->getField(fieldName);
@@ -162,7 +157,7 @@ Field* DocumentBuilder::routeEnd(const std::string& nodeName, const std::string&
     std::vector<std::string_view> known;
     for (const auto& each : node->second->type().fields()) known.push_back(each->name);
     error(at, fmt::format("ROUTE: {} ({}) has no field {}{}", nodeName, node->second->type().name(),
-                          fieldName, suggestion(nearestName(fieldName, known))));
+                          fieldName, didYouMean(nearestName(fieldName, known))));
   }
   return field;
 }

@@ -26,8 +26,9 @@ class BadInput : public testing::Test {
   std::string path(const char* name) const { return (folder_.path() / name).string(); }
 
   TemporaryFolder folder_;
-  std::string good_ =
-      folder_.write("good.x3d", "<Scene><Transform DEF='T'><Shape><Box/></Shape></Transform></Scene>");
+  std::string good_ = folder_.write(
+      "good.x3d",
+      "<Scene><Viewpoint DEF='FRONT'/><Transform DEF='T'><Shape><Box/></Shape></Transform></Scene>");
   std::vector<std::string> notScenes_ = {
       path("missing.x3d"), folder_.path().string(), folder_.write("empty.x3d", ""),
       folder_.write("rubbish.x3d", std::string_view("\0\1\xff\xfe<<rubbish>>", 15)),
@@ -89,6 +90,8 @@ TEST_F(BadInput, KeysAndWatchesAndSettingsThatDoNotFit) {
 TEST_F(BadInput, AMisspeltNameIsToldWithTheNearest) {
   EXPECT_THAT(runProgram({"run", good_, "--for", "0.1", "--set", "T.translaton=0 0 0"}).output,
               HasSubstr("did you mean translation?"));
+  EXPECT_THAT(runProgram({"render", good_, "-o", path("x.png"), "--viewpoint", "FORNT"}).output,
+              HasSubstr("did you mean FRONT?"));
   const Outcome type = runProgram({"nodes", "Transfrom"});
   EXPECT_EQ(type.status, kFault);
   EXPECT_THAT(type.output, HasSubstr("did you mean Transform?"));
@@ -113,7 +116,7 @@ TEST_F(BadInput, AnOverlongOrStrangeNameIsAFault) {
 }
 
 TEST_F(BadInput, NamesThatNothingHas) {
-  expectStatus(kFault, {"render", good_, "-o", path("x.png"), "--viewpoint", "NOWHERE"});
+  expectStatus(kUsage, {"render", good_, "-o", path("x.png"), "--viewpoint", "NOWHERE"});
   expectStatus(kUsage, {"render", good_, "-o", path("x.png"), "--viewpoint", "T"});
   expectStatus(kUsage, {"run", good_, "--for", "0.1", "--anatomy", path("nowhere")});
   expectStatus(kFault, {"nodes", "--library", "nothing"});

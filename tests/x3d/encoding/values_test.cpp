@@ -34,6 +34,20 @@ TEST(ReadValues, BadTokenIsToldWithItsPlaceAndTheDefaultStays) {
   EXPECT_EQ(scene.value("T", "scale"), "1 1 1");
 }
 
+TEST(ReadValues, TooFewAndTooManyNumbersAreToldByTheirCount) {
+  auto scene = ReadScene::ofElements(
+      "<Transform translation='1 2'/>\n<Transform scale='1 2 3 4'/>\n<Coordinate point='1 2 3 4'/>\n"
+      "<Sphere radius=''/>");
+  EXPECT_THAT(
+      scene.said(),
+      ElementsAre("s.x3d:1:35: error: Transform.translation: expected 3 numbers (SFVec3f), found 2",
+                  "s.x3d:2:25: error: Transform.scale: expected nothing more after 3 numbers "
+                  "(SFVec3f), found \"4\"",
+                  "s.x3d:3:27: error: Coordinate.point: expected a multiple of 3 numbers (MFVec3f), "
+                  "found 4",
+                  "s.x3d:4:17: error: Sphere.radius: expected a finite number (SFFloat), found nothing"));
+}
+
 TEST(ReadValues, BadTokenOnALaterLineOfTheValue) {
   auto scene = ReadScene::ofElements("<Coordinate DEF='C' point='0 0 0\n 1 1 1\n 2 oh 2'/>");
   ASSERT_EQ(scene.diagnostics.all().size(), 1u);

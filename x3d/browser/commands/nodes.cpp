@@ -28,11 +28,8 @@ void printReference(const Options& options) {
   std::vector<const NodeType*> types = registry.types();
   if (!options.type.empty()) {
     const NodeType* type = registry.find(options.type);
-    if (type == nullptr) {
-      const std::string nearest = registry.nearest(options.type);
-      throw Fault(fmt::format("no node type {}{}", options.type,
-                              nearest.empty() ? "" : "; did you mean " + nearest + "?"));
-    }
+    if (type == nullptr)
+      throw Fault(fmt::format("no node type {}{}", options.type, didYouMean(registry.nearest(options.type))));
     types = {type};
   }
   if (options.xsd) return fmt::print("{}", referenceAsXsd(types));

@@ -15,8 +15,7 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& what, std::string_view name,
                          const std::vector<std::string_view>& known) {
-  const std::string nearest = nearestName(name, known);
-  throw UnknownNameError(what + (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+  throw UnknownNameError(what + didYouMean(nearestName(name, known)));
 }
 
 }  // namespace
@@ -81,7 +80,8 @@ void Scene::set(std::string_view assignment) {
   try {
     target.setValueFromString(assignment.substr(equals + 1));
   } catch (const FieldParseError& bad) {
-    throw FieldError(fmt::format("{}: expected {} ({})", assignment, bad.what(), target.getTypeName()));
+    throw FieldError(fmt::format("{}: expected {} ({}){}", assignment, bad.what(), target.getTypeName(),
+                                 bad.found.empty() ? "" : ", found " + bad.found));
   }
 }
 

@@ -1,4 +1,7 @@
 #include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include <pleura/nodes/haptic/device_info.h>
 #include <pleura/nodes/standard/environmental_effects/background.h>
@@ -24,10 +27,14 @@ T* bound(Scene& scene, std::string_view kind) {
 }  // namespace
 
 void SceneView::lookFrom(std::string_view viewpoint) {
-  Node& node = scene_.node(viewpoint);
-  if (dynamic_cast<X3DViewpointNode*>(&node) == nullptr)
-    throw std::invalid_argument(node.describe() + " is no viewpoint");
-  chosenViewpoint_ = &node;
+  std::vector<std::string_view> known;
+  for (const auto& [name, node] : scene_.document().names) {
+    if (dynamic_cast<X3DViewpointNode*>(node.get()) == nullptr) continue;
+    if (name == viewpoint) return void(chosenViewpoint_ = node.get());
+    known.push_back(name);
+  }
+  throw std::invalid_argument(
+      fmt::format("the scene has no viewpoint {}{}", viewpoint, didYouMean(nearestName(viewpoint, known))));
 }
 
 render::DrawList& SceneView::update() {

@@ -23,8 +23,8 @@ class SceneView {
  public:
   explicit SceneView(Scene& scene) : scene_(scene) {}
 
-  /// Looks from that viewpoint instead of the bound one. Throws UnknownNameError, std::invalid_argument when
-  /// the node is no viewpoint.
+  /// Looks from that viewpoint instead of the bound one. Throws std::invalid_argument when the scene has no
+  /// viewpoint of that name.
   void lookFrom(std::string_view viewpoint);
   /// Looks through this camera instead; nothing: through the viewpoint again.
   void lookThrough(std::optional<render::Camera> camera) { override_ = std::move(camera); }

@@ -103,7 +103,17 @@ TEST(SceneView, LooksFromTheBoundViewpointOrTheOneAskedFor) {
   EXPECT_EQ(eye(), Vec3f(0, 1, 5));
   seen.view.lookFrom("V2");
   EXPECT_EQ(eye(), Vec3f(0, 0, 7));
-  EXPECT_THROW(seen.view.lookFrom("G"), std::invalid_argument);
+  const auto refusal = [&](const char* name) -> std::string {
+    try {
+      seen.view.lookFrom(name);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("G"), "the scene has no viewpoint G");
+  EXPECT_EQ(refusal("V3"), "the scene has no viewpoint V3; did you mean V1?");
+  EXPECT_EQ(eye(), Vec3f(0, 0, 7));
 }
 
 TEST(SceneView, WithoutAViewpointAllIsInSight) {
