@@ -10,8 +10,8 @@
 namespace pleura {
 
 /// A lung between its wall and the diaphragm. Driven: every point near either, by the nearer one. On the wall
-/// it slides, its lower border advancing as the recess opens; on the diaphragm it keeps its offset from the
-/// place it lay on. The mediastinal rest fills in harmonically.
+/// it slides, on the diaphragm it keeps its offset from the place it lay on; along both its lower border
+/// advances into the opening recess. The mediastinal rest fills in harmonically.
 class LungMotion {
  public:
   LungMotion(const Lung& lung, const Hemithorax& half, const TriangleMesh& diaphragm);
@@ -26,15 +26,19 @@ class LungMotion {
   const std::vector<int>& driven() const { return driven_; }
 
  private:
-  /// A point that keeps its offset from a place on a triangle of the diaphragm.
-  struct DiaphragmFollower {
-    int index;
+  /// A place on a triangle of the diaphragm.
+  struct Place {
     Eigen::Vector3i corners;
     Eigen::Vector3f barycentric;
-    Eigen::Vector3f foot;  // [m] that place at rest
+
+    Eigen::Vector3f of(std::span<const Eigen::Vector3f> diaphragm) const;
   };
-  static Eigen::Vector3f footOf(const DiaphragmFollower& follower,
-                                std::span<const Eigen::Vector3f> diaphragm);
+  /// A point that keeps its offset from a place that goes from one to another as the border advances.
+  struct DiaphragmFollower {
+    int index;
+    Place from, to;
+    Eigen::Vector3f foot;  // [m] where it is at rest
+  };
 
   std::vector<Eigen::Vector3f> rest_;
   std::vector<WallFollower> onWall_;

@@ -104,7 +104,7 @@ WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eige
 
 Eigen::Vector4f followWall(const PleuralWall& wall, Grid now, const WallSlide& slide, const WallPoint& point,
                            double contraction) {
-  const double v = point.v + contraction * point.advance;
+  const double v = point.v + advanceMade(contraction) * point.advance;
   const WallPlace place(slide, point.column, point.fraction, v, contraction);
   const double rows = slide.row(point.column, v, contraction) - slide.row(point.column, point.v, 0.0);
   const double slid = rows * wall.spacing[static_cast<std::size_t>(point.column)];

@@ -23,6 +23,9 @@ struct WallPoint {
   bool onSpine = false;   // bone that doesn't move carries the wall there
 };
 
+/// Share of their advance that points have made at a contraction: c (2 - c), since the recess opens early.
+constexpr double advanceMade(double contraction) { return contraction * (2.0 - contraction); }
+
 /// The place of `point` [m]: the nearest one of the wall in its half-plane, and the gap from there.
 WallPoint bindToWall(const PleuralWall& wall, const WallSlide& slide, const Eigen::Vector3d& point);
 
