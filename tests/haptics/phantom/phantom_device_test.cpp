@@ -228,6 +228,15 @@ TEST_F(Phantom, ADeviceThatDisappearsIsLostAndComesBack) {
   EXPECT_EQ(givenForce(), Vector3d(0, 1, 0));
 }
 
+TEST_F(Phantom, AForceThatWasNotGivenYetIsForgottenWhenClosed) {
+  device_.open();
+  device_.write({.force = {1, 0, 0}});
+  device_.close();
+  device_.open();
+  tick_();
+  EXPECT_EQ(givenForce(), Vector3d::Zero());
+}
+
 TEST_F(Phantom, AStateThatIsNoNumberIsALossWithoutForce) {
   device_.open();
   device_.write({.force = {1, 0, 0}});
