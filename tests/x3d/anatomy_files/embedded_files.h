@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <pleura/nodes/core/plugin.h>
-#include <pleura/nodes/standard/register.h>
+#include <pleura/nodes/built_in_nodes.h>
 #include <pleura/x3d/browser/anatomy/scene_file.h>
 
 namespace pleura {
@@ -19,7 +19,7 @@ inline constexpr const char* kMeasuredOn =
 
 inline NodeRegistry registryWith(const std::string& library) {
   NodeRegistry registry;
-  registerStandardNodes(registry);
+  registerBuiltInNodes(registry);
   PluginLoader().load(library, registry);
   return registry;
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <pleura/nodes/standard/register.h>
+#include <pleura/nodes/built_in_nodes.h>
 #include <pleura/x3d/encoding/reader.h>
 
 namespace pleura {
@@ -21,7 +21,7 @@ struct ReadScene {
   Diagnostics diagnostics;
   Document document;
 
-  ReadScene() { registerStandardNodes(registry); }
+  ReadScene() { registerBuiltInNodes(registry); }
   explicit ReadScene(const std::filesystem::path& file, const ReaderLimits& limits = {}) : ReadScene() {
     document = Reader(registry, plugins, context, diagnostics, limits).readFile(file);
   }

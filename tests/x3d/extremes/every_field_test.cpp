@@ -8,6 +8,7 @@
 #include <pleura/tests/x3d/browser/load_scene.h>
 #include <pleura/x3d/browser/render/renderer.h>
 #include <pleura/x3d/browser/scene/state_hash.h>
+#include <pleura/x3d/browser/touch/touch_session.h>
 #include <pleura/x3d/browser/view/scene_view.h>
 
 namespace pleura {
@@ -25,6 +26,7 @@ Surroundings around(const std::string& containerField) {
   constexpr auto kPoints = "<Coordinate point='0 0 0 1 0 0 0 1 0'/>";
   constexpr auto kTriangle =
       "<Shape><IndexedTriangleSet index='0 1 2'><Coordinate point='0 0 0 1 0 0 0 1 0'/>";
+  constexpr auto kTouchable = "<Shape><Appearance><SmoothSurface/></Appearance><Box/></Shape><DeviceInfo>";
   static const std::map<std::string, Surroundings> all = {
       {"appearance", {"<Shape>", "", "<Box/></Shape>"}},
       {"material", {"<Shape><Appearance>", "", "</Appearance><Box/></Shape>"}},
@@ -36,6 +38,9 @@ Surroundings around(const std::string& containerField) {
       {"normal", {kTriangle, "", "</IndexedTriangleSet></Shape>"}},
       {"texCoord", {kTriangle, "", "</IndexedTriangleSet></Shape>"}},
       {"fontStyle", {"<Shape><Text string='\"a\"'>", "", "</Text></Shape>"}},
+      {"surface", {"<Shape><Appearance>", "", "</Appearance><Box/></Shape>"}},
+      {"device", {kTouchable, "", "</DeviceInfo>"}},
+      {"xFunction", {"<TimeFunctionEffect>", "", "</TimeFunctionEffect>"}},
       {"deformer", {"<DeformableShape2>", "", "<IndexedTriangleSet/></DeformableShape2>"}},
       {"value", {"<Group><MetadataSet containerField='metadata'>", "", "</MetadataSet></Group>"}},
       {"children", {"", "<Shape><Box/></Shape>", ""}}};
@@ -89,12 +94,18 @@ class EveryField : public testing::Test {
     PluginLoader().load("thorax", registry_);
   }
 
-  /// The scene is run, hashed and drawn.
+  /// The scene is run, touched by a stylus where it has one or a surface, hashed and drawn.
   void use(Scene& scene) {
+    TouchSession touch(scene, {.device = "simulated"}, TouchSession::Clock::virtualTime);
+    try {
+      touch.open();
+    } catch (const haptics::DeviceError&) {  // figures that make no stylus
+    }
     SceneView view(scene);
     render::Renderer renderer(*context_);
     for (const double now : {0.0, 0.1, 1e6}) {
       scene.tick(now);
+      if (now < 1) touch.advance(now);
       stateHash(scene);
       renderer.draw(view.update(), 32, 32);
     }

@@ -219,6 +219,14 @@ TEST(TouchSession, ForceEffectsAct) {
   EXPECT_GT(force.x(), 0.1f);
 }
 
+TEST(TouchSession, ASceneThatJumpsFarAheadIsNotWaitedFor) {
+  const auto scene = sceneOf(blockAndStylus(kSmooth, 0.005));
+  Playback playback(*scene, {.step = 1000});
+  playback.runUntil(1e5);
+  EXPECT_EQ(valueOf<SFString>(*scene, "STYLUS.touched"), "BLOCK");
+  EXPECT_NEAR(valueOf<SFVec3f>(*scene, "STYLUS.force").z(), 0.96, 0.05);
+}
+
 TEST(TouchSession, ARecordedSessionGivesTheSameForcesBitForBit) {
   const TemporaryFolder folder;
   const auto forces = [](const TouchOptions& touch) {

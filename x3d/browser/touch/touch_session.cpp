@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kRetry = 1;  // [s] between attempts to open a device that is not there
 
+constexpr double kLongestJump = 10;  // [s] that haptic ticks are made up for
+
 /// Throws std::invalid_argument for a driver that there is not.
 void checkDriver(const std::string& driver) {
   try {
@@ -171,6 +173,9 @@ void TouchSession::advance(Time now) {
     if (clock_ == Clock::virtualTime) {
       const double period = hand.servo->period();
       constexpr double kRounding = 1e-9;
+      // A scene that jumps far ahead is not waited for: the hand was elsewhere meanwhile.
+      const auto first = static_cast<std::int64_t>(std::ceil((now - kLongestJump) / period));
+      hand.ticks = std::max(hand.ticks, first);
       for (; static_cast<double>(hand.ticks) * period <= now + kRounding; ++hand.ticks, ++hand.rateTicks)
         hand.servo->tick(static_cast<double>(hand.ticks) * period);
     } else if (!hand.loop) {
