@@ -141,6 +141,13 @@ void Neighbourhood::advance(std::span<const TouchShape> shapes, const Vector3d& 
                 [&](int index) { return valid_ = !reaches(shape, index, centre_, reach_); });
 }
 
+/// Whether the ball feels a shape that has appeared, as soon as the nearest triangle is surely here.
+void Neighbourhood::judge(Shape& shape, double radius) {
+  const Nearest at = nearest(shape, shape.view);
+  shape.isJudged = at.triangle >= 0;
+  shape.felt = shape.isJudged && isInFront(shape, at, shape.view) && at.distance >= radius * (1 - kOverlap);
+}
+
 /// False if there is no room for all triangles, unless a part will do.
 bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& position, double radius,
                             double reach, bool partly) {
@@ -171,21 +178,13 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
     if (isNew && count_ == first) continue;
     Shape& shape = shapes_[k];
     if (isNew) {
-      shape = {touchable,
-               touchable.mesh->serial(),
-               touchable.from->serial,
-               touchable.to->serial,
-               true,
-               position,
-               Vector3d::Zero(),
-               -1,
-               -1,
-               first,
-               count_};
+      shape = Shape{};
+      shape.now = touchable;
+      shape.mesh = touchable.mesh->serial();
+      shape.from = touchable.from->serial;
+      shape.to = touchable.to->serial;
+      shape.view = position;
       ++shapeCount_;
-      const Nearest at = nearest(shape, position);
-      shape.felt =
-          at.triangle < 0 || (isInFront(shape, at, position) && at.distance >= radius * (1 - kOverlap));
     }
     shape.begin = first;
     shape.end = count_;
@@ -201,6 +200,8 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
     shapes_[kept++] = shapes_[k];
   }
   shapeCount_ = kept;
+  for (int k = 0; k < shapeCount_; ++k)
+    if (!shapes_[k].isJudged) judge(shapes_[k], radius);
   return true;
 }
 

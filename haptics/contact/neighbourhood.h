@@ -17,17 +17,19 @@ class Neighbourhood {
 
   struct Shape {
     TouchShape now;
-    std::uint64_t mesh, from, to;  // serials
+    std::uint64_t mesh = 0, from = 0, to = 0;  // serials
     /// False for a shape whose back the ball is at, or that stood in the ball when it appeared: such a one is
     /// not felt until the ball is clear of it.
-    bool felt;
+    bool felt = false;
+    bool isJudged = false;  // whether `felt` is known
     /// Where the ball would be had the shape taken it along since the last tick: from there everything is on
     /// the side of the ball that it was on.
-    Eigen::Vector3d view;
-    Eigen::Vector3d motion;  // [m] that it went since the last tick, where it is nearest to the ball
-    int likely;              // of triangles(): the one that is nearest to the ball, as far as is known; or -1
-    int likelyIndex;         // the same, of the mesh
-    int begin, end;          // its triangles: triangles()[begin] and on, up to before end
+    Eigen::Vector3d view = Eigen::Vector3d::Zero();
+    Eigen::Vector3d motion =
+        Eigen::Vector3d::Zero();  // [m] since the last tick, where it is nearest to the ball
+    int likely = -1;         // of triangles(): the one that is nearest to the ball, as far as is known; or -1
+    int likelyIndex = -1;    // the same, of the mesh
+    int begin = 0, end = 0;  // its triangles: triangles()[begin] and on, up to before end
   };
 
   struct Triangle {
@@ -84,6 +86,7 @@ class Neighbourhood {
   Nearest nearest(const Shape& shape, const Eigen::Vector3d& point) const;
   bool isInFront(const Shape& shape, const Nearest& at, const Eigen::Vector3d& point) const;
   int find(std::uint32_t id) const;
+  void judge(Shape& shape, double radius);
   void carry(Shape& shape, const TouchShape& next, const Eigen::Vector3d& position) const;
   bool collect(std::span<const TouchShape> shapes, const Eigen::Vector3d& position, double radius,
                double reach, bool partly);
