@@ -15,7 +15,7 @@ constexpr double kSlack = 1e-11;      // [m] by which a half-space may be missed
 constexpr double kCover = 1e-9;       // [m] by which a triangle may stick out of another's half-space
 constexpr double kOnSurface = 1e-12;  // [m] a nearer centre has no side
 constexpr int kMaxAdditions = 24;     // of half-spaces to an intersection
-constexpr int kMaxShrinks = 20;      // of the size of a ball that is squeezed
+constexpr int kMaxShrinks = 20;       // of the size of a ball that is squeezed
 
 }  // namespace
 

@@ -19,7 +19,10 @@ constexpr double kStill = 1e-8;    // [m] a shorter step is none
 constexpr int kMaxSteps = 12;      // until it is nearest to the device
 constexpr int kMaxLeaps = 48;      // of a device that jumped, on top of these
 
-bool isPlace(const Vector3d& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFarthest; }
+bool isPlace(const Vector3d& p) {
+  return std::all_of(p.begin(), p.end(),
+                     [](double x) { return std::isfinite(x) && std::abs(x) <= kFarthest; });
+}
 
 }  // namespace
 
