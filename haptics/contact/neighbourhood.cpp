@@ -74,9 +74,10 @@ bool Neighbourhood::reaches(const TouchShape& shape, int index, const Vector3d& 
   return true;
 }
 
-Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d& point) const {
+Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d& point,
+                                              double within) const {
   Nearest least;
-  least.distance = reach_ + (shape.view - centre_).norm();
+  least.distance = within;
   const auto look = [&](int i) {
     const TrianglePoint on = nearestOnTriangle(triangles_[i].corners, point);
     const double distance = (point - on.point).norm();
@@ -91,7 +92,7 @@ Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d
 void Neighbourhood::carry(Shape& shape, const TouchShape& next, const Vector3d& position) const {
   shape.view = position;
   shape.motion.setZero();
-  const Nearest at = nearest(shape, position);
+  const Nearest at = nearest(shape, position, reachOf(shape));
   if (at.triangle < 0) return;
   const Corners& before = triangles_[at.triangle].corners;
   const Corners after = cornersOf(next, triangles_[at.triangle].index);
@@ -143,7 +144,7 @@ void Neighbourhood::advance(std::span<const TouchShape> shapes, const Vector3d& 
 
 /// Whether the ball feels a shape that has appeared, as soon as the nearest triangle is surely here.
 void Neighbourhood::judge(Shape& shape, double radius) {
-  const Nearest at = nearest(shape, shape.view);
+  const Nearest at = nearest(shape, shape.view, reachOf(shape));
   shape.isJudged = at.triangle >= 0;
   shape.felt = shape.isJudged && isInFront(shape, at, shape.view) && at.distance >= radius * (1 - kOverlap);
 }
@@ -206,11 +207,11 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
 }
 
 double Neighbourhood::gather(std::span<const TouchShape> shapes, const Vector3d& position, double radius,
-                             double reach) {
+                             double always, double reach) {
   if (valid_ && (position - centre_).norm() + reach <= reach_) return reach;
   // the next ticks find theirs here too, unless the shapes move on
   const double slack = moving_ ? radius / 2 : radius;
-  double room = std::min(reach, 4 * radius) + slack;
+  double room = std::min(reach, always) + slack;
   for (int k = 0; !collect(shapes, position, radius, room, k == kMaxHalvings); ++k)
     room = radius + (room - radius) / 2;
   while (count_ < kFew && room < reach + slack) {
@@ -233,7 +234,7 @@ void Neighbourhood::settle(const Vector3d& position, double radius) {
   for (int k = 0; k < shapeCount_; ++k) {
     Shape& shape = shapes_[k];
     if (shape.felt && (shape.now.surface.twoSided || shape.now.mesh->isClosed())) continue;
-    const Nearest at = nearest(shape, position);
+    const Nearest at = nearest(shape, position, reachOf(shape));
     if (at.triangle < 0) continue;
     const bool felt =
         isInFront(shape, at, position) && (shape.felt || at.distance >= radius * (1 - kOverlap));

@@ -13,7 +13,7 @@ namespace pleura::haptics {
 class Neighbourhood {
  public:
   static constexpr int kMaxShapes = 32;
-  static constexpr int kMaxTriangles = 256;
+  static constexpr int kMaxTriangles = 512;
 
   struct Shape {
     TouchShape now;
@@ -44,9 +44,10 @@ class Neighbourhood {
   void advance(std::span<const TouchShape> shapes, const Eigen::Vector3d& position);
 
   /// Sees to it that all triangles are there that are nearer than `reach` to `position` (a shape's: to its
-  /// view), where there is room. Returns the reach that there was room for, at least `radius`.
+  /// view); beyond `always` only while they are few, and none for which there is no room. Returns the reach
+  /// that it came to, at least `radius`.
   double gather(std::span<const TouchShape> shapes, const Eigen::Vector3d& position, double radius,
-                double reach);
+                double always, double reach);
 
   /// The ball has gone to `position`: all views are there.
   void moveTo(const Eigen::Vector3d& position);
@@ -61,6 +62,14 @@ class Neighbourhood {
   void settle(const Eigen::Vector3d& position, double radius);
 
   std::span<const Shape> shapes() const { return {shapes_.data(), static_cast<std::size_t>(shapeCount_)}; }
+  struct Nearest {
+    int triangle = -1;  // index into triangles(), or -1
+    TrianglePoint on;
+    double distance = 0;  // [m]
+  };
+  /// Where those triangles of a shape that are here are nearest to a point and nearer than `within` [m].
+  Nearest nearest(const Shape& shape, const Eigen::Vector3d& point, double within) const;
+
   /// visit(index) is called for the triangles of a shape that may be nearer than `reach` [m] to a point.
   template <class Visit>
   void visitWithin(const Shape& shape, const Eigen::Vector3d& point, double reach, Visit visit) const;
@@ -76,14 +85,8 @@ class Neighbourhood {
     Eigen::Array4f radius = Eigen::Array4f::Zero();
   };
 
-  struct Nearest {
-    int triangle = -1;  // index into triangles_
-    TrianglePoint on;
-    double distance = 0;
-  };
-
   bool reaches(const TouchShape& shape, int index, const Eigen::Vector3d& point, double distance);
-  Nearest nearest(const Shape& shape, const Eigen::Vector3d& point) const;
+  double reachOf(const Shape& shape) const { return reach_ + (shape.view - centre_).norm(); }
   bool isInFront(const Shape& shape, const Nearest& at, const Eigen::Vector3d& point) const;
   int find(std::uint32_t id) const;
   void judge(Shape& shape, double radius);
