@@ -15,6 +15,7 @@ constexpr double kSlack = 1e-11;      // [m] by which a half-space may be missed
 constexpr double kCover = 1e-9;       // [m] by which a triangle may stick out of another's half-space
 constexpr double kOnSurface = 1e-12;  // [m] a nearer centre has no side
 constexpr int kMaxAdditions = 24;     // of half-spaces to an intersection
+constexpr int kMaxShrinks = 20;       // of the size of a ball that is squeezed
 
 }  // namespace
 
@@ -68,7 +69,7 @@ ClearSpace::Plane ClearSpace::planeThrough(const TrianglePoint& on, int index) c
   const double distance = way.norm();
   const Vector3d normal = distance > kOnSurface
                               ? Vector3d(way / distance)
-                              : outward(shape.now, triangle(index).index, on.weights).stableNormalized();
+                              : outward(shape.now, triangle(index).index, on.weights).normalized();
   return {normal, normal.dot(on.point) + radius_, distance - radius_, on, index};
 }
 
@@ -135,10 +136,10 @@ bool ClearSpace::addAll(HalfSpaceProjection& projection, double farthest, double
 }
 
 HalfSpaceProjection ClearSpace::project(const Vector3d& target, double farthest) const {
-  constexpr int kParts = 8;
-  for (int part = 0; part <= kParts; ++part) {
+  double size = radius_;
+  for (int k = 0; k <= kMaxShrinks; ++k, size /= 2) {
     HalfSpaceProjection projection(target);
-    if (addAll(projection, farthest, radius_ * part / kParts)) return projection;
+    if (addAll(projection, farthest, radius_ - size)) return projection;
   }
   return HalfSpaceProjection(position_);
 }

@@ -74,9 +74,10 @@ bool Neighbourhood::reaches(const TouchShape& shape, int index, const Vector3d& 
   return true;
 }
 
-Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d& point) const {
+Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d& point,
+                                              double within) const {
   Nearest least;
-  least.distance = reach_ + (shape.view - centre_).norm();
+  least.distance = within;
   const auto look = [&](int i) {
     const TrianglePoint on = nearestOnTriangle(triangles_[i].corners, point);
     const double distance = (point - on.point).norm();
@@ -91,7 +92,7 @@ Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d
 void Neighbourhood::carry(Shape& shape, const TouchShape& next, const Vector3d& position) const {
   shape.view = position;
   shape.motion.setZero();
-  const Nearest at = nearest(shape, position);
+  const Nearest at = nearest(shape, position, reachOf(shape));
   if (at.triangle < 0) return;
   const Corners& before = triangles_[at.triangle].corners;
   const Corners after = cornersOf(next, triangles_[at.triangle].index);
@@ -141,6 +142,13 @@ void Neighbourhood::advance(std::span<const TouchShape> shapes, const Vector3d& 
                 [&](int index) { return valid_ = !reaches(shape, index, centre_, reach_); });
 }
 
+/// Whether the ball feels a shape that has appeared, as soon as the nearest triangle is surely here.
+void Neighbourhood::judge(Shape& shape, double radius) {
+  const Nearest at = nearest(shape, shape.view, reachOf(shape));
+  shape.isJudged = at.triangle >= 0;
+  shape.felt = shape.isJudged && isInFront(shape, at, shape.view) && at.distance >= radius * (1 - kOverlap);
+}
+
 /// False if there is no room for all triangles, unless a part will do.
 bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& position, double radius,
                             double reach, bool partly) {
@@ -171,21 +179,13 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
     if (isNew && count_ == first) continue;
     Shape& shape = shapes_[k];
     if (isNew) {
-      shape = {touchable,
-               touchable.mesh->serial(),
-               touchable.from->serial,
-               touchable.to->serial,
-               true,
-               position,
-               Vector3d::Zero(),
-               -1,
-               -1,
-               first,
-               count_};
+      shape = Shape{};
+      shape.now = touchable;
+      shape.mesh = touchable.mesh->serial();
+      shape.from = touchable.from->serial;
+      shape.to = touchable.to->serial;
+      shape.view = position;
       ++shapeCount_;
-      const Nearest at = nearest(shape, position);
-      shape.felt =
-          at.triangle < 0 || (isInFront(shape, at, position) && at.distance >= radius * (1 - kOverlap));
     }
     shape.begin = first;
     shape.end = count_;
@@ -201,15 +201,17 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
     shapes_[kept++] = shapes_[k];
   }
   shapeCount_ = kept;
+  for (int k = 0; k < shapeCount_; ++k)
+    if (!shapes_[k].isJudged) judge(shapes_[k], radius);
   return true;
 }
 
 double Neighbourhood::gather(std::span<const TouchShape> shapes, const Vector3d& position, double radius,
-                             double reach) {
+                             double always, double reach) {
   if (valid_ && (position - centre_).norm() + reach <= reach_) return reach;
   // the next ticks find theirs here too, unless the shapes move on
   const double slack = moving_ ? radius / 2 : radius;
-  double room = std::min(reach, 4 * radius) + slack;
+  double room = std::min(reach, always) + slack;
   for (int k = 0; !collect(shapes, position, radius, room, k == kMaxHalvings); ++k)
     room = radius + (room - radius) / 2;
   while (count_ < kFew && room < reach + slack) {
@@ -232,7 +234,7 @@ void Neighbourhood::settle(const Vector3d& position, double radius) {
   for (int k = 0; k < shapeCount_; ++k) {
     Shape& shape = shapes_[k];
     if (shape.felt && (shape.now.surface.twoSided || shape.now.mesh->isClosed())) continue;
-    const Nearest at = nearest(shape, position);
+    const Nearest at = nearest(shape, position, reachOf(shape));
     if (at.triangle < 0) continue;
     const bool felt =
         isInFront(shape, at, position) && (shape.felt || at.distance >= radius * (1 - kOverlap));

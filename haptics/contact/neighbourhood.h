@@ -13,21 +13,23 @@ namespace pleura::haptics {
 class Neighbourhood {
  public:
   static constexpr int kMaxShapes = 32;
-  static constexpr int kMaxTriangles = 256;
+  static constexpr int kMaxTriangles = 512;
 
   struct Shape {
     TouchShape now;
-    std::uint64_t mesh, from, to;  // serials
+    std::uint64_t mesh = 0, from = 0, to = 0;  // serials
     /// False for a shape whose back the ball is at, or that stood in the ball when it appeared: such a one is
     /// not felt until the ball is clear of it.
-    bool felt;
+    bool felt = false;
+    bool isJudged = false;  // whether `felt` is known
     /// Where the ball would be had the shape taken it along since the last tick: from there everything is on
     /// the side of the ball that it was on.
-    Eigen::Vector3d view;
-    Eigen::Vector3d motion;  // [m] that it went since the last tick, where it is nearest to the ball
-    int likely;              // of triangles(): the one that is nearest to the ball, as far as is known; or -1
-    int likelyIndex;         // the same, of the mesh
-    int begin, end;          // its triangles: triangles()[begin] and on, up to before end
+    Eigen::Vector3d view = Eigen::Vector3d::Zero();
+    Eigen::Vector3d motion =
+        Eigen::Vector3d::Zero();  // [m] since the last tick, where it is nearest to the ball
+    int likely = -1;         // of triangles(): the one that is nearest to the ball, as far as is known; or -1
+    int likelyIndex = -1;    // the same, of the mesh
+    int begin = 0, end = 0;  // its triangles: triangles()[begin] and on, up to before end
   };
 
   struct Triangle {
@@ -42,9 +44,10 @@ class Neighbourhood {
   void advance(std::span<const TouchShape> shapes, const Eigen::Vector3d& position);
 
   /// Sees to it that all triangles are there that are nearer than `reach` to `position` (a shape's: to its
-  /// view), where there is room. Returns the reach that there was room for, at least `radius`.
+  /// view); beyond `always` only while they are few, and none for which there is no room. Returns the reach
+  /// that it came to, at least `radius`.
   double gather(std::span<const TouchShape> shapes, const Eigen::Vector3d& position, double radius,
-                double reach);
+                double always, double reach);
 
   /// The ball has gone to `position`: all views are there.
   void moveTo(const Eigen::Vector3d& position);
@@ -59,6 +62,14 @@ class Neighbourhood {
   void settle(const Eigen::Vector3d& position, double radius);
 
   std::span<const Shape> shapes() const { return {shapes_.data(), static_cast<std::size_t>(shapeCount_)}; }
+  struct Nearest {
+    int triangle = -1;  // index into triangles(), or -1
+    TrianglePoint on;
+    double distance = 0;  // [m]
+  };
+  /// Where those triangles of a shape that are here are nearest to a point and nearer than `within` [m].
+  Nearest nearest(const Shape& shape, const Eigen::Vector3d& point, double within) const;
+
   /// visit(index) is called for the triangles of a shape that may be nearer than `reach` [m] to a point.
   template <class Visit>
   void visitWithin(const Shape& shape, const Eigen::Vector3d& point, double reach, Visit visit) const;
@@ -74,16 +85,11 @@ class Neighbourhood {
     Eigen::Array4f radius = Eigen::Array4f::Zero();
   };
 
-  struct Nearest {
-    int triangle = -1;  // index into triangles_
-    TrianglePoint on;
-    double distance = 0;
-  };
-
   bool reaches(const TouchShape& shape, int index, const Eigen::Vector3d& point, double distance);
-  Nearest nearest(const Shape& shape, const Eigen::Vector3d& point) const;
+  double reachOf(const Shape& shape) const { return reach_ + (shape.view - centre_).norm(); }
   bool isInFront(const Shape& shape, const Nearest& at, const Eigen::Vector3d& point) const;
   int find(std::uint32_t id) const;
+  void judge(Shape& shape, double radius);
   void carry(Shape& shape, const TouchShape& next, const Eigen::Vector3d& position) const;
   bool collect(std::span<const TouchShape> shapes, const Eigen::Vector3d& position, double radius,
                double reach, bool partly);

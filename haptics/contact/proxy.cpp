@@ -19,7 +19,10 @@ constexpr double kStill = 1e-8;    // [m] a shorter step is none
 constexpr int kMaxSteps = 12;      // until it is nearest to the device
 constexpr int kMaxLeaps = 48;      // of a device that jumped, on top of these
 
-bool isPlace(const Vector3d& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= kFarthest; }
+bool isPlace(const Vector3d& p) {
+  return std::all_of(p.begin(), p.end(),
+                     [](double x) { return std::isfinite(x) && std::abs(x) <= kFarthest; });
+}
 
 }  // namespace
 
@@ -47,17 +50,24 @@ Vector3d Proxy::carried() const {
   return weights > 0 ? Vector3d(position_ + sum / weights) : position_;
 }
 
-/// The nearest magnetic surface that reaches the device.
-Proxy::Pull Proxy::pullOn(const Vector3d& device) const {
-  Pull pull{-1, 0, device};
+/// The nearest magnetic surface that reaches the device. What is nearest to the device of the triangles that
+/// are about the ball is so at every step anew, and each step brings it nearer.
+Proxy::Pull Proxy::pullOn(const Vector3d& device, const Vector3d& drag) const {
+  const Pull none{-1, 0, device - drag};
+  Pull pull = none;
   double least = std::numeric_limits<double>::max();
   for (int label = 0; label < space_.count(); ++label) {
     const ClearSpace::Plane& plane = space_.plane(label);
-    const double height = plane.normal.dot(device) - plane.offset;
-    if (plane.gap >= least || height <= 0 || height > surface(label).magneticDistance) continue;
+    if (surface(label).magneticDistance <= 0 || plane.gap >= least) continue;
     least = plane.gap;
-    pull = {label, height, device - height * plane.normal};
+    pull.label = label;
+    pull.height = plane.normal.dot(device) - plane.offset;
   }
+  if (pull.label < 0 || pull.height <= 0) return none;
+  const double farthest = radius_ + surface(pull.label).magneticDistance;
+  const Neighbourhood::Nearest at = near_.nearest(space_.shape(pull.label), pull.place, farthest);
+  if (at.triangle < 0 || at.distance <= radius_) return none;
+  pull.place = at.on.point + radius_ / at.distance * (pull.place - at.on.point);
   return pull;
 }
 
@@ -75,7 +85,8 @@ void Proxy::addContact(int label, double depth) {
 void Proxy::rest(const Pull& pull) {
   contactCount_ = 0;
   bool held = pull.label >= 0 && space_.touches(pull.label);
-  for (const auto& [label, normal, depth] : space_.alongTouched(pull.place).active()) {
+  const Vector3d place = held ? Vector3d(device_ - pull.height * space_.plane(pull.label).normal) : device_;
+  for (const auto& [label, normal, depth] : space_.alongTouched(place).active()) {
     if (depth <= 0) continue;
     addContact(label, label == pull.label ? depth - pull.height : depth);
     if (label == pull.label) held = false;
@@ -87,24 +98,26 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   const Vector3d device = isPlace(asked) ? asked : device_;
   const double least = std::max(radius_ / 16, 1.125 * (device - device_).norm());
   if (least > stride_ || least < stride_ / 8) stride_ = 1.1 * least;
-  double stride = stride_;
+  double pull = 0;
   for (const TouchShape& shape : shapes) {
     assert(shape.s >= 0 && shape.s <= 1);
-    stride = std::max(stride, shape.surface.magneticDistance);
+    pull = std::max(pull, shape.surface.magneticDistance);
   }
+  double stride = std::max(stride_, pull);
+  const double always = 4 * radius_ + pull;
   device_ = device;
   near_.advance(shapes, position_);
   position_ = carried();
   Vector3d anchor = position_, drag = Vector3d::Zero();
   bool moved = false;
   for (int steps = 0, leaps = 0;;) {
-    const double reach = near_.gather(shapes, position_, radius_, radius_ + stride);
+    const double reach = near_.gather(shapes, position_, radius_, always, radius_ + stride);
     space_.look(near_, position_, radius_, reach);
-    const Pull pull = pullOn(device);
-    const Vector3d wanted = stepTo(pull, anchor, drag);
+    const Pull held = pullOn(device, drag);
+    const Vector3d wanted = stepTo(held, anchor, drag);
     const double length = (wanted - position_).norm();
     if (length < kStill || steps == kMaxSteps || leaps == kMaxLeaps) {
-      rest(pull);
+      rest(held);
       break;
     }
     moved = true;
@@ -124,7 +137,7 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
 
 /// Where friction and all that is near let the ball go from where it is.
 Vector3d Proxy::stepTo(const Pull& pull, Vector3d& anchor, Vector3d& drag) const {
-  const HalfSpaceProjection free = space_.nearestTo(pull.place - drag);
+  const HalfSpaceProjection free = space_.nearestTo(pull.place);
   const auto isRough = [this](const HalfSpaceProjection::Active& active) {
     return surface(active.label).staticFriction > 0;
   };

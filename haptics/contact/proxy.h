@@ -62,10 +62,10 @@ class Proxy {
   struct Pull {
     int label;              // of its plane in space_, or -1
     double height;          // [m] that the device is off the surface
-    Eigen::Vector3d place;  // where the device then counts to be
+    Eigen::Vector3d place;  // where the ball is wanted then
   };
 
-  Pull pullOn(const Eigen::Vector3d& device) const;
+  Pull pullOn(const Eigen::Vector3d& device, const Eigen::Vector3d& drag) const;
   Eigen::Vector3d stepTo(const Pull& pull, Eigen::Vector3d& anchor, Eigen::Vector3d& drag) const;
   void rest(const Pull& pull);
   void addContact(int label, double depth);

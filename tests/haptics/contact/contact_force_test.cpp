@@ -22,7 +22,9 @@ class ContactForce : public testing::Test {
     proxy_.follow(std::span(&floor_.shape, 1), device);
     return contactForce(proxy_, device, velocity, period);
   }
-  static void expectNear(const Vector3d& a, const Vector3d& b) { EXPECT_LT((a - b).norm(), 1e-6) << a.transpose(); }
+  static void expectNear(const Vector3d& a, const Vector3d& b) {
+    EXPECT_LT((a - b).norm(), 1e-6) << a.transpose();
+  }
 
   Touchable floor_;
   Proxy proxy_{1e-3};
