@@ -90,7 +90,7 @@ TEST_F(BadInput, KeysAndWatchesAndSettingsThatDoNotFit) {
 TEST_F(BadInput, AMisspeltNameIsToldWithTheNearest) {
   EXPECT_THAT(runProgram({"run", good_, "--for", "0.1", "--set", "T.translaton=0 0 0"}).output,
               HasSubstr("did you mean translation?"));
-  EXPECT_THAT(runProgram({"render", good_, "-o", path("x.png"), "--viewpoint", "FORNT"}).output,
+  EXPECT_THAT(runProgram({"render", good_, "-o", path("x.png"), "--viewpoint", "FRNT"}).output,
               HasSubstr("did you mean FRONT?"));
   const Outcome type = runProgram({"nodes", "Transfrom"});
   EXPECT_EQ(type.status, kFault);
