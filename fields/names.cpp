@@ -11,7 +11,7 @@ std::string_view name(Access access) {
 
 std::string_view name(FieldType type) {
   constexpr std::string_view names[] = {
-#define PLEURA_FIELD_TYPE(T) "SF" #T, "MF" #T,
+#define PLEURA_FIELD_TYPE(T) std::string_view("SF" #T), std::string_view("MF" #T),
       PLEURA_FIELD_TYPES(PLEURA_FIELD_TYPE)
 #undef PLEURA_FIELD_TYPE
   };

@@ -42,7 +42,7 @@ class TextReader {
 
   template <class Scalar, int Rows, int Columns>
   void read(Eigen::Matrix<Scalar, Rows, Columns>& value) {
-    numbersAValue_ = Rows * Columns;
+    numbersAValue_ = static_cast<std::size_t>(value.size());
     for (int i = 0; i < value.size(); ++i) read(value(i / Columns, i % Columns));
   }
 

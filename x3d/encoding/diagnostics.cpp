@@ -19,7 +19,7 @@ void Diagnostics::add(Diagnostic diagnostic) {
 }
 
 std::string toText(const Diagnostic& d) {
-  const std::string what = fmt::format("{}: {}", name(d.severity), d.message);
+  std::string what = fmt::format("{}: {}", name(d.severity), d.message);
   if (d.place.file.empty()) return what;
   if (d.place.line == 0) return fmt::format("{}: {}", d.place.file, what);
   return fmt::format("{}:{}:{}: {}", d.place.file, d.place.line, d.place.column, what);

@@ -10,12 +10,6 @@ namespace pleura {
 
 namespace {
 
-std::string_view valueOf(const std::vector<Attribute>& attributes, std::string_view name) {
-  for (const auto& attribute : attributes)
-    if (attribute.name == name) return attribute.value;
-  return {};
-}
-
 /// Attributes that any node element may have and that are no fields, unless the node has one of that name.
 bool isReserved(std::string_view name) {
   constexpr std::string_view kReserved[] = {"DEF", "USE", "containerField", "class", "id", "style"};

@@ -14,9 +14,7 @@ namespace pleura {
 namespace {
 
 std::string text(const std::vector<Attribute>& attributes, std::string_view name) {
-  for (const auto& attribute : attributes)
-    if (attribute.name == name) return std::string(attribute.value);
-  return {};
+  return std::string(valueOf(attributes, name));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <pleura/nodes/core/node_registry.h>
@@ -32,7 +33,7 @@ class Reader {
         plugins_(plugins),
         context_(context),
         diagnostics_(diagnostics),
-        limits_(limits) {}
+        limits_(std::move(limits)) {}
 
   /// A file that can't be read is an error among the diagnostics, and an empty document.
   Document readFile(const std::filesystem::path& file);

@@ -14,6 +14,12 @@
 
 namespace pleura {
 
+std::string_view valueOf(const std::vector<Attribute>& attributes, std::string_view name) {
+  for (const auto& attribute : attributes)
+    if (attribute.name == name) return attribute.value;
+  return {};
+}
+
 namespace {
 
 struct Parse {

@@ -13,6 +13,9 @@ struct Attribute {
   std::string_view value;  // entities resolved, white space as XML has it
 };
 
+/// Empty when there is none of that name.
+std::string_view valueOf(const std::vector<Attribute>& attributes, std::string_view name);
+
 /// Hears the elements of a file in their order. `end` is the byte after the start tag, for diagnostics.
 class ElementHandler {
  public:
