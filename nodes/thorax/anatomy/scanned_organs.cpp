@@ -91,6 +91,15 @@ TriangleMesh ofMovableSize(const TriangleMesh& mesh) {
   return mesh.triangles.size() < kCoarse ? subdivide(mesh) : decimate(mesh, kMost);
 }
 
+// Shorter edges where the wall carries it, so that they follow the ribs passing behind them.
+TriangleMesh finerOnWalls(const TriangleMesh& mesh, const std::array<ChestWall, 2>& walls) {
+  constexpr float kLongest = 0.012f;  // [m]
+  constexpr double kOnWall = 0.004;   // [m]
+  return splitLongEdges(mesh, kLongest, [&](const Vector3f& p) {
+    return walls[p.x() >= 0.0f ? 0 : 1].beyond(p.cast<double>()) > -kOnWall;
+  });
+}
+
 Vector3d offBones(const SurfaceQuery& bones, const Vector3d& point) {
   const SurfacePoint nearest = bones.closestPoint(point);
   const Vector3d normal = bones.pseudonormal(nearest).normalized();
@@ -112,7 +121,7 @@ double domeHeight(const SurfaceQuery& diaphragm, const Vector3d& point) {
 Diaphragm scannedDiaphragm(TriangleMesh mesh, const std::array<ChestWall, 2>& walls,
                            const SurfaceQuery& bones) {
   Diaphragm diaphragm;
-  mesh = ofMovableSize(thoracicFace(std::move(mesh)));
+  mesh = finerOnWalls(ofMovableSize(thoracicFace(std::move(mesh))), walls);
   for (Vector3f& p : mesh.points) {
     const Vector3f inside = pressedInside(walls, p);
     p = offBones(bones, inside.cast<double>()).cast<float>();

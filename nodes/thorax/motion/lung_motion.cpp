@@ -48,7 +48,7 @@ class LowerBorder {
 
  private:
   static constexpr float kHighest = 0.85f;  // a border farther up belongs to the heart's notch
-  static constexpr float kLowest = 0.985f;  // at contraction 1; some room for the lung's thickness
+  static constexpr float kLowest = 0.988f;  // at contraction 1; some room for the lung's thickness
 
   /// Falls from 1 at 0 to 0 at 1.
   static float kept(float away) { return std::max(1.0f - away * away, 0.0f); }

@@ -14,7 +14,7 @@ namespace {
 constexpr float kLeastGap = 0.001f;
 // [m] Beside the spine the necks of ribs turn: more, as far as no gap grows by more than that.
 constexpr float kLeastGapAtJoints = 0.0035f;
-constexpr float kMostGrowth = 0.0025f;
+constexpr float kMostGrowth = 0.0020f;
 constexpr double kLifting = 0.002;  // [m] of sliding that bring half of the lift
 
 using Grid = std::span<const Eigen::Vector4f>;

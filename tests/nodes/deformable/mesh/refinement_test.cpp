@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -8,6 +9,7 @@
 #include <pleura/nodes/deformable/mesh/mesh_report.h>
 #include <pleura/nodes/deformable/mesh/refinement.h>
 #include <pleura/nodes/deformable/mesh/surface_query.h>
+#include <pleura/nodes/deformable/mesh/topology.h>
 
 namespace pleura {
 namespace {
@@ -29,6 +31,35 @@ TEST(Subdivide, BearsDegenerateTriangles) {
   const TriangleMesh fine = subdivide({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 1, 1}}});
   EXPECT_EQ(fine.triangles.size(), 8u);
   EXPECT_EQ(fine.points.size(), 3u);
+}
+
+float longestEdge(const TriangleMesh& mesh) {
+  float longest = 0;
+  for (const Eigen::Vector2i& e : edges(mesh.points.size(), mesh.triangles))
+    longest = std::max(longest, (mesh.points[e[0]] - mesh.points[e[1]]).norm());
+  return longest;
+}
+
+TEST(SplitLongEdges, KeepsShapeAndTopology) {
+  const TriangleMesh coarse = shapes::torus(10, 6);
+  for (const float share : {0.9f, 0.6f, 0.3f}) {  // one, two and all sides of triangles
+    const float longest = share * longestEdge(coarse);
+    const TriangleMesh fine = splitLongEdges(coarse, longest, [](const Vector3f&) { return true; });
+    EXPECT_LE(longestEdge(fine), longest);
+    const MeshReport before = analyze(coarse), after = analyze(fine);
+    EXPECT_GT(after.points, before.points);
+    EXPECT_TRUE(faults(after).empty());
+    EXPECT_NEAR(after.volume, before.volume, 1e-6);
+    EXPECT_NEAR(after.area, before.area, 1e-5);
+    for (std::size_t i = 0; i < coarse.points.size(); ++i) EXPECT_EQ(fine.points[i], coarse.points[i]);
+  }
+}
+
+TEST(SplitLongEdges, LeavesWhatIsNotChosenAlone) {
+  const TriangleMesh coarse = shapes::torus(10, 6);
+  const TriangleMesh fine = splitLongEdges(coarse, 0.01f, [](const Vector3f& p) { return p.x() > 0; });
+  EXPECT_GT(fine.points.size(), coarse.points.size());
+  for (std::size_t i = coarse.points.size(); i < fine.points.size(); ++i) EXPECT_GT(fine.points[i].x(), 0);
 }
 
 TEST(Decimate, KeepsASphereCloseAndClosed) {
@@ -59,9 +90,13 @@ TEST(Refinement, RefusesBadInput) {
   mesh.triangles[3][1] = 8;
   EXPECT_THROW(decimate(mesh, 4), std::invalid_argument);
   EXPECT_THROW(subdivide(mesh), std::invalid_argument);
+  const auto all = [](const Vector3f&) { return true; };
+  EXPECT_THROW(splitLongEdges(mesh, 1, all), std::invalid_argument);
   mesh = shapes::cube();
   mesh.points[2].x() = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(decimate(mesh, 4), std::invalid_argument);
+  EXPECT_THROW(splitLongEdges(mesh, 1, all), std::invalid_argument);
+  EXPECT_THROW(splitLongEdges(shapes::cube(), 0, all), std::invalid_argument);
 }
 
 }  // namespace
