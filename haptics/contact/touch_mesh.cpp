@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <atomic>
-#include <cmath>
+#include <bit>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -24,10 +24,17 @@ std::uint64_t nextSerial() {
   return ++last;
 }
 
+/// Told by the exponent's bits, since a comparison may trap.
+bool isFinite(const Vector3f& p) {
+  constexpr std::uint32_t exponent = 0x7f800000;
+  return std::all_of(p.begin(), p.end(),
+                     [](float x) { return (std::bit_cast<std::uint32_t>(x) & exponent) != exponent; });
+}
+
 void requireFinite(std::span<const Vector3f> points) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!points[i].allFinite())
-      throw std::invalid_argument("points: " + std::to_string(i) + " is not finite");
+  const auto bad = std::ranges::find_if_not(points, isFinite);
+  if (bad != points.end())
+    throw std::invalid_argument("points: point " + std::to_string(bad - points.begin()) + " is not finite");
 }
 
 bool hasArea(std::span<const Vector3f> points, const Vector3i& t) {

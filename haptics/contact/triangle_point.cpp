@@ -12,8 +12,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// sin^2 of a corner's angle below which a triangle counts as a line: there its normal is rounding.
-constexpr double kLineLike = 1e-22;
+/// sin^2 of a corner's angle below which a triangle counts as a line: there its area is nearly rounding.
+constexpr double kLineLike = 1e-12;
 
 TrianglePoint nearestOnEdges(const Corners& corners, const Vector3d& p) {
   TrianglePoint nearest{corners.col(0), Vector3d::UnitX()};

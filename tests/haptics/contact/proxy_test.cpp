@@ -19,6 +19,21 @@ void follow(Proxy& proxy, const Touchable& touchable, const Vector3d& device) {
   proxy.follow(std::span(&touchable.shape, 1), device);
 }
 
+/// A ball that 600 triangles are about, many more than it keeps.
+TEST(Proxy, RestsOnASurfaceFinerThanItLooksAt) {
+  constexpr double ball = 5e-3;
+  const Touchable sphere(surfaces::sphere(300, 250, 0.01));
+  for (const Vector3d& direction :
+       {Vector3d(0, 0, 1), Vector3d(0, 0.1, 1), Vector3d(1, 2, 3), Vector3d(1, 0, 0)}) {
+    const Vector3d normal = direction.normalized();
+    Proxy proxy(ball);
+    proxy.reset(0.03 * normal);
+    for (int tick = 0; tick < 200; ++tick) follow(proxy, sphere, (0.016 - 2e-5 * tick) * normal);
+    EXPECT_LT((proxy.position() - 0.015 * normal).norm(), 2e-5);
+    EXPECT_FALSE(proxy.contacts().empty());
+  }
+}
+
 TEST(Proxy, GoesWithTheDeviceWhereNothingIs) {
   Proxy proxy(radius);
   const Touchable sphere(surfaces::sphere(60, 50, 0.05));
