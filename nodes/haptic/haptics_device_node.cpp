@@ -86,7 +86,8 @@ void declareOutputs(NodeType& type) {
   type.field<&HapticsDeviceNode::depth>("depth", outputOnly, 0)
       .measuredIn(Unit::length)
       .means("from the proxy to the tracker while something is touched");
-  type.field<&HapticsDeviceNode::touched>("touched", outputOnly, "").means("DEF name of what is touched; empty: nothing");
+  type.field<&HapticsDeviceNode::touched>("touched", outputOnly, "")
+      .means("DEF name of what is touched; empty: nothing");
   type.field<&HapticsDeviceNode::label>("label", outputOnly, {})
       .means("what people call it: the title in its metadata, or its DEF name; for Text.string");
   type.field<&HapticsDeviceNode::inputDOF>("inputDOF", outputOnly, 0)

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <pleura/nodes/core/plugin.h>
 #include <pleura/nodes/built_in_nodes.h>
+#include <pleura/nodes/core/plugin.h>
 #include <pleura/x3d/browser/anatomy/scene_file.h>
 
 namespace pleura {

@@ -17,8 +17,9 @@ void addRunCommand(CLI::App& app) {
   command->add_option("--for", options->seconds, "Seconds of the scene's time")
       ->required()
       ->check(numberIn(0, 1e9));
-  command->add_flag("--real-time", options->playback.isRealTime,
-                    "On the real clock, haptic loops in threads of their own: for a real device, and for --stats");
+  command->add_flag(
+      "--real-time", options->playback.isRealTime,
+      "On the real clock, haptic loops in threads of their own: for a real device, and for --stats");
   command->callback([options] {
     const auto scene = options->load();
     Playback playback(*scene, options->playback);
