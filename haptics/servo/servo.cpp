@@ -95,7 +95,7 @@ ForceGuard::Rendered Servo::render(const Tracked& tracked, double time) {
   const double scale = now.workspace.scale;
   ForceGuard::Rendered rendered{.carried = toDevice * motionOf(proxy_->contacts()) / scale,
                                 .limit = now.forceLimit};
-  const bool isAllowed = now.isEnabled && (!now.deadmansSwitch || (state_.buttons & 1) != 0);
+  const bool isAllowed = !now.deadmansSwitch || (state_.buttons & 1) != 0;
   const Vector3d effects = effectForces(tracked, time);
   if (!isAllowed) return rendered;
   // A surface's stiffness is that of the hand's metres: a workspace drawn large makes nothing harder.

@@ -29,15 +29,15 @@ bool askForRealTime() {
 
 }  // namespace
 
-ServoLoop::ServoLoop(Servo& servo, bool wantsRealTime)
-    : servo_(servo), thread_([this, wantsRealTime] { run(wantsRealTime); }) {}
+ServoLoop::ServoLoop(Servo& servo, double time, bool wantsRealTime)
+    : servo_(servo), thread_([this, time, wantsRealTime] { run(time, wantsRealTime); }) {}
 
 ServoLoop::~ServoLoop() {
   shallStop_.store(true, std::memory_order_relaxed);
   thread_.join();
 }
 
-void ServoLoop::run(bool wantsRealTime) {
+void ServoLoop::run(double time, bool wantsRealTime) {
   if (wantsRealTime) isRealTime_.store(askForRealTime(), std::memory_order_relaxed);
   const auto period = static_cast<std::int64_t>(servo_.period() * kNanoseconds);
   const std::int64_t start = now();
@@ -49,7 +49,7 @@ void ServoLoop::run(bool wantsRealTime) {
     if (isMissed) deadline += (begin - deadline) / period * period;  // those that have passed are lost
     periods_.add(static_cast<double>(begin - last) / kNanoseconds, isMissed);
     last = begin;
-    servo_.tick(static_cast<double>(begin - start) / kNanoseconds, isMissed);
+    servo_.tick(time + static_cast<double>(begin - start) / kNanoseconds, isMissed);
     lastDuration_.store(static_cast<double>(now() - begin) / kNanoseconds, std::memory_order_relaxed);
     deadline += period;
     sleepUntil(deadline);

@@ -12,9 +12,9 @@ namespace pleura::haptics {
 /// does not move those after it. Nothing inside waits for another thread.
 class ServoLoop {
  public:
-  /// Starts at once. `wantsRealTime`: asks the system for SCHED_FIFO, and goes on without where it is
-  /// refused.
-  ServoLoop(Servo& servo, bool wantsRealTime);
+  /// Starts at once, its clock at `time` [s]. `wantsRealTime`: asks the system for SCHED_FIFO, and goes on
+  /// without where it is refused.
+  ServoLoop(Servo& servo, double time, bool wantsRealTime);
   /// Ends the thread after the tick it is in.
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
@@ -27,7 +27,7 @@ class ServoLoop {
   double lastDuration() const { return lastDuration_.load(std::memory_order_relaxed); }
 
  private:
-  void run(bool wantsRealTime);
+  void run(double time, bool wantsRealTime);
 
   Servo& servo_;
   PeriodStatistics periods_;

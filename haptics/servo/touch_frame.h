@@ -34,7 +34,6 @@ struct TouchFrame {
   double tipRadius = 0.0025;    // [m] of the proxy, in the scene
   double forceLimit = -1;       // [N]; negative: the device's own
   bool deadmansSwitch = false;  // force only while the main button is pressed
-  bool isEnabled = true;        // false: the device is read, but gives no force
 
   std::vector<TouchShape> instants;  // the loop's working space, as many as shapes
 };

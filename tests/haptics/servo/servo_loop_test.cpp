@@ -16,9 +16,9 @@ TEST(ServoLoop, TicksWhileTheSceneHandsFramesOver) {
   const std::vector<Eigen::Vector3f> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const auto mesh = std::make_shared<TouchMesh>(points, std::vector<Eigen::Vector3i>{{0, 1, 2}});
   int heard = 0;
-  double last = -1;
+  double last = 100 - 1e-9;  // the loop's clock begins where it is told to
   {
-    const ServoLoop loop(servo, false);
+    const ServoLoop loop(servo, 100, false);
     for (int frame = 0; frame < 50; ++frame) {
       TouchFrame& next = servo.frames().back();
       next.duration = 0.002;

@@ -118,6 +118,7 @@ TEST(TouchSession, WhatIsAskedForAndNotThereIsAnError) {
     EXPECT_THAT(unknown.what(), HasSubstr("did you mean simulated?"));
   }
   EXPECT_THROW(Playback(*scene, {.touch = {.stylus = "/not/there.csv"}}), haptics::DeviceError);
+  EXPECT_THROW(Playback(*scene, {.touch = {.record = "/not/there/recording"}}), haptics::DeviceError);
 }
 
 TEST(TouchSession, WhatTheSceneSaysWrongIsAWarningAndTheRestGoesOn) {

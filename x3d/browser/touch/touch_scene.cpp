@@ -108,10 +108,14 @@ void TouchScene::addPart(const NodePtr& node, X3DShapeNode& shape, const Matrix4
 }
 
 void TouchScene::updateSurface(const Part& part, Surface& surface) {
-  const auto [rigid, stretch] = split(part.toWorld);
-  surface.pose = rigid;
-  const bool isStretched = stretch != surface.stretch;
-  surface.stretch = stretch;
+  bool isStretched = false;
+  if (part.toWorld != surface.toWorld) {
+    const auto [rigid, stretch] = split(part.toWorld);
+    isStretched = stretch != surface.stretch;
+    surface.pose = rigid;
+    surface.stretch = stretch;
+    surface.toWorld = part.toWorld;
+  }
   std::span<const Vec3f> points;
   std::array<std::uint64_t, 2> source{};
   auto* touchable = dynamic_cast<TouchableShape*>(part.shape);
@@ -139,9 +143,9 @@ void TouchScene::updateSurface(const Part& part, Surface& surface) {
     triangles = triangles_;
   }
   if (source == surface.source && !isStretched) return;
-  if (stretch != Eigen::Matrix3f::Identity()) {
+  if (surface.stretch != Eigen::Matrix3f::Identity()) {
     moved_.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) moved_[i] = stretch * points[i];
+    for (std::size_t i = 0; i < points.size(); ++i) moved_[i] = surface.stretch * points[i];
     points = moved_;
   }
   if (source[0] != surface.source[0] || points.size() != surface.points.size())

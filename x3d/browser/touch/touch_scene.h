@@ -75,6 +75,7 @@ class TouchScene {
     std::uint64_t stamp = 0;  // of the points
     std::array<std::uint64_t, 2> source{};
     std::size_t triangleCount = 0;
+    Matrix4f toWorld = Matrix4f::Identity();  // of which pose and stretch are the parts
     Eigen::Matrix3f stretch = Eigen::Matrix3f::Identity();
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     bool isTwoSided = false;

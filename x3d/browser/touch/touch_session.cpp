@@ -49,12 +49,12 @@ struct TouchSession::Hand {
   std::vector<std::string> drivers;
   TouchOptions asked;                              // empty but for the first
   std::vector<haptics::StylusWaypoint> waypoints;  // asked for; none: the scene's
-  std::unique_ptr<haptics::HapticDevice> device;   // open, or null
+  std::unique_ptr<haptics::HapticDevice> device;   // null until it was opened once
   haptics::RecordingDevice* recording = nullptr;   // `device`, when it is recorded
-  std::unique_ptr<haptics::Servo> servo;
-  std::unique_ptr<haptics::ServoLoop> loop;  // only on the real clock
-  std::int64_t ticks = 0;                    // on the virtual clock
-  Time tried = 0;                            // to open it
+  std::unique_ptr<haptics::Servo> servo;           // null while the device is not open
+  std::unique_ptr<haptics::ServoLoop> loop;        // only on the real clock
+  std::int64_t ticks = 0;                          // on the virtual clock
+  Time tried = 0;                                  // to open it
   Time rateSince = 0;
   std::int64_t rateTicks = 0;
 };
@@ -72,7 +72,7 @@ TouchSession::~TouchSession() {
 }
 
 void TouchSession::adopt(const TouchOptions& options) {
-  const bool isAsked = !options.device.empty() || !options.stylus.empty() || !options.record.empty();
+  const bool isAsked = !options.isEmpty();
   auto* info = dynamic_cast<DeviceInfo*>(scene_.bindables("DeviceInfo").top());
   if (isAsked && (info == nullptr || info->device.empty())) info = &addDevice(scene_);
   if (info == nullptr) return;
@@ -110,7 +110,7 @@ haptics::DeviceSettings TouchSession::settingsOf(Hand& hand) const {
 }
 
 void TouchSession::open() {
-  for (auto& hand : hands_) hand->asked.device.empty() ? tryToOpen(*hand, 0) : open(*hand, 0);
+  for (auto& hand : hands_) hand->asked.isEmpty() ? tryToOpen(*hand, 0) : open(*hand, 0);
 }
 
 void TouchSession::tryToOpen(Hand& hand, Time now) {
@@ -123,24 +123,7 @@ void TouchSession::tryToOpen(Hand& hand, Time now) {
 
 void TouchSession::open(Hand& hand, Time now) {
   hand.tried = now;
-  const haptics::DeviceSettings settings = settingsOf(hand);
-  std::string problems;
-  for (const auto& driver : hand.drivers) {
-    try {
-      auto device = haptics::standardDrivers().make(driver, settings);
-      if (!hand.asked.record.empty()) {
-        auto recorded = std::make_unique<haptics::RecordingDevice>(std::move(device), hand.asked.record);
-        hand.recording = recorded.get();
-        device = std::move(recorded);
-      }
-      device->open();
-      hand.device = std::move(device);
-      break;
-    } catch (const haptics::DeviceError& bad) {
-      problems += (problems.empty() ? "" : "; ") + std::string(bad.what());
-    }
-  }
-  if (!hand.device) throw haptics::DeviceError(problems);
+  hand.device ? hand.device->open() : openFirst(hand);
   const auto& can = hand.device->capabilities();
   hand.node->inputDOF.setValueIfChanged(can.inputDof, hand.node->id);
   hand.node->outputDOF.setValueIfChanged(can.outputDof, hand.node->id);
@@ -151,12 +134,34 @@ void TouchSession::open(Hand& hand, Time now) {
   hand.rateTicks = 0;
 }
 
+/// The first driver that opens serves from then on: a device that was lost is the same when it is back.
+void TouchSession::openFirst(Hand& hand) {
+  const haptics::DeviceSettings settings = settingsOf(hand);
+  std::string problems;
+  for (const auto& driver : hand.drivers) {
+    try {
+      auto device = haptics::standardDrivers().make(driver, settings);
+      haptics::RecordingDevice* recording = nullptr;
+      if (!hand.asked.record.empty()) {
+        auto recorded = std::make_unique<haptics::RecordingDevice>(std::move(device), hand.asked.record);
+        recording = recorded.get();
+        device = std::move(recorded);
+      }
+      device->open();
+      hand.device = std::move(device);
+      hand.recording = recording;
+      return;
+    } catch (const haptics::DeviceError& bad) {
+      problems += (problems.empty() ? "" : "; ") + std::string(bad.what());
+    }
+  }
+  throw haptics::DeviceError(problems);
+}
+
 void TouchSession::lose(Hand& hand, Time now) {
   hand.loop.reset();
   hand.servo.reset();
   hand.device->close();
-  hand.device.reset();
-  hand.recording = nullptr;
   hand.tried = now;
   scene_.warn(*hand.node, "the device is lost; it is tried again every second");
 }
@@ -167,8 +172,8 @@ void TouchSession::advance(Time now) {
   const double duration = isFirst_ ? 0 : now - last_;
   for (std::size_t k = 0; k < hands_.size(); ++k) {
     Hand& hand = *hands_[k];
-    if (!hand.device && now - hand.tried >= kRetry) tryToOpen(hand, now);
-    if (!hand.device) continue;
+    if (!hand.servo && now - hand.tried >= kRetry) tryToOpen(hand, now);
+    if (!hand.servo) continue;
     publish(hand, duration);
     if (clock_ == Clock::virtualTime) {
       const double period = hand.servo->period();
@@ -179,7 +184,7 @@ void TouchSession::advance(Time now) {
       for (; static_cast<double>(hand.ticks) * period <= now + kRounding; ++hand.ticks, ++hand.rateTicks)
         hand.servo->tick(static_cast<double>(hand.ticks) * period);
     } else if (!hand.loop) {
-      hand.loop = std::make_unique<haptics::ServoLoop>(*hand.servo, true);
+      hand.loop = std::make_unique<haptics::ServoLoop>(*hand.servo, now, true);
     }
     if (hand.recording != nullptr) hand.recording->flush();
     hear(hand, k, now);

@@ -17,6 +17,8 @@ struct TouchOptions {
   std::string device = {};            // driver; empty: the one that the scene names
   std::filesystem::path stylus = {};  // path of the simulated stylus, or recording; empty: the scene's
   std::filesystem::path record = {};  // where the first device's session is recorded; empty: nowhere
+
+  bool isEmpty() const { return device.empty() && stylus.empty() && record.empty(); }
 };
 
 /// A scene's haptic devices at work: each tick the scene is handed to them, and what they tell comes back as
@@ -59,6 +61,7 @@ class TouchSession {
   haptics::DeviceSettings settingsOf(Hand& hand) const;
   /// Throws haptics::DeviceError with what each driver said.
   void open(Hand& hand, Time now);
+  void openFirst(Hand& hand);
   void tryToOpen(Hand& hand, Time now);
   void lose(Hand& hand, Time now);
   void publish(Hand& hand, double duration);
