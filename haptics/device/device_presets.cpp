@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <pleura/fields/nearest_name.h>
 #include <pleura/haptics/device/device_presets.h>
 #include <pleura/haptics/device/haptic_device.h>
-#include <pleura/haptics/device/nearest_name.h>
 
 namespace pleura::haptics {
 
@@ -84,7 +84,7 @@ const DeviceCapabilities& devicePreset(std::string_view model) {
     known.push_back(preset.model);
   }
   throw DeviceError(fmt::format("no haptic device \"{}\", known are {}{}", model, fmt::join(known, ", "),
-                                didYouMean(model, known)));
+                                didYouMean(nearestName(model, known))));
 }
 
 }  // namespace pleura::haptics

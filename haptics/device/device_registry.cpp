@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <pleura/fields/nearest_name.h>
 #include <pleura/haptics/device/device_registry.h>
-#include <pleura/haptics/device/nearest_name.h>
 
 namespace pleura::haptics {
 
@@ -20,7 +20,7 @@ void DeviceRegistry::check(std::string_view driver) const {
   if (find(driver) != nullptr) return;
   const auto known = names();
   throw DeviceError(fmt::format("no driver \"{}\" of haptic devices, known are {}{}", driver,
-                                fmt::join(known, ", "), didYouMean(driver, known)));
+                                fmt::join(known, ", "), didYouMean(nearestName(driver, known))));
 }
 
 std::unique_ptr<HapticDevice> DeviceRegistry::make(std::string_view driver,

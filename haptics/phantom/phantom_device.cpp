@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <pleura/fields/nearest_name.h>
 #include <pleura/haptics/device/device_presets.h>
-#include <pleura/haptics/device/nearest_name.h>
 #include <pleura/haptics/phantom/phantom_device.h>
 #include <pleura/haptics/safety/force_limiter.h>
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <pleura/haptics/device/nearest_name.h>
+#include <pleura/fields/nearest_name.h>
 #include <pleura/haptics/simulated/stylus_path_csv.h>
 
 namespace pleura::haptics {
@@ -98,7 +98,7 @@ class PathReader {
       order_.push_back(column);
       if (column == kColumns) {
         addFault(cell, fmt::format("expected a column of {}, found {}{}", fmt::join(kColumnNames, ", "),
-                                   quoted(cell), didYouMean(cell, kColumnNames)));
+                                   quoted(cell), didYouMean(nearestName(cell, kColumnNames))));
       } else if (std::exchange(has[column], true)) {
         addFault(cell, fmt::format("expected each column once, found {} again", kColumnNames[column]));
       }

@@ -11,6 +11,13 @@ namespace pleura {
 class NodeType;
 class SceneContext;
 
+/// Where a node stands in the file that it was read from, counted from 1. Without a file: it was not read.
+struct NodePlace {
+  std::shared_ptr<const std::string> file = {};
+  int line = 0;
+  int column = 0;
+};
+
 /// A member of the scene graph: a set of fields and what they mean together (X3DNode). Its fields are members
 /// of the class, declared once in its `static void declare(NodeType&)`; nodes are made by create<T>() or by a
 /// NodeRegistry.
@@ -30,6 +37,8 @@ class Node : public FieldOwner {
   const std::string& getName() const { return name_; }
   void setName(std::string def) { name_ = std::move(def); }
   std::string describe() const override;
+  const NodePlace& place() const { return place_; }
+  void setPlace(NodePlace place) { place_ = std::move(place); }
 
   /// The field of that name, `set_name` and `name_changed` understood; null when there is none.
   Field* getField(std::string_view name);
@@ -52,6 +61,7 @@ class Node : public FieldOwner {
   const NodeType* type_ = nullptr;
   SceneContext* context_ = nullptr;
   std::string name_;
+  NodePlace place_;
 };
 
 }  // namespace pleura

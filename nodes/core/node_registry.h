@@ -38,9 +38,4 @@ class NodeRegistry {
   std::map<std::string, const NodeType*, std::less<>> byName_;
 };
 
-/// The nearest of `known` to `name` by edit distance, if at most a third of the letters differ; else empty.
-std::string nearestName(std::string_view name, const std::vector<std::string_view>& known);
-/// What a message of an unknown name ends with: "; did you mean NEAREST?", or nothing where none is near.
-std::string didYouMean(const std::string& nearest);
-
 }  // namespace pleura

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
@@ -11,6 +12,12 @@ void ContactsNode::declare(NodeType& type) {
   using enum Access;
   type.field<&ContactsNode::inflation>("inflation", inputOutput, 0).means("0 at FRC, 1 at TLC");
   type.field<&ContactsNode::organ>("organ", initializeOnly, {}).means("whose points are held");
+  type.field<&ContactsNode::fillsBetween>("fillsBetween", inputOutput, true)
+      .means(
+          "whether the points that no wall moves follow smoothly between; if not, the deformer moves them");
+  type.field<&ContactsNode::shape>("shape", outputOnly, {})
+      .measuredIn(Unit::length)
+      .means("where all of the organ's points are now, those between filled in smoothly");
   type.field<&ContactsNode::index>("index", outputOnly, {})
       .means("the organ's points that are held or follow between");
   type.field<&ContactsNode::point>("point", outputOnly, {})
@@ -21,10 +28,13 @@ void ContactsNode::declare(NodeType& type) {
 void ContactsNode::onInitialize() {
   auto* held = organ.get();
   if (held == nullptr) return context().warn(*this, "organ is missing: a DeformableShape2 is expected");
+  held->origCoord.routeNoEvent(shape, id);
+  inflation.routeNoEvent(shape, id);
+  for (Field* mover : movers()) mover->routeNoEvent(shape, id);
   held->origCoord.routeNoEvent(index, id);
-  held->origCoord.routeNoEvent(point, id);
-  inflation.routeNoEvent(point, id);
-  for (Field* mover : movers()) mover->routeNoEvent(point, id);
+  fillsBetween.routeNoEvent(index, id);
+  shape.routeNoEvent(point, id);
+  fillsBetween.routeNoEvent(point, id);
   index.touch();
   held->origCoord.touch();
 }
@@ -46,13 +56,24 @@ bool ContactsNode::isBound() {
 }
 
 void ContactsNode::evaluateIndex(std::vector<int>& out) {
-  out.resize(isBound() ? organ.get()->origCoord.size() : 0);
+  out.clear();
+  if (!isBound()) return;
+  if (!fillsBetween.getValue()) return out.assign(driven().begin(), driven().end());
+  out.resize(organ.get()->origCoord.size());
   std::iota(out.begin(), out.end(), 0);
 }
 
-void ContactsNode::evaluatePoint(std::vector<Vec3f>& out) {
+void ContactsNode::evaluateShape(std::vector<Vec3f>& out) {
   out.resize(isBound() ? organ.get()->origCoord.size() : 0);
   if (!out.empty()) follow(out);
+}
+
+void ContactsNode::evaluatePoint(std::vector<Vec3f>& out) {
+  const auto& all = shape.getValue(id);
+  if (fillsBetween.getValue() || all.empty()) return void(out = all);
+  out.resize(driven().size());
+  std::transform(driven().begin(), driven().end(), out.begin(),
+                 [&all](int i) { return all[static_cast<std::size_t>(i)]; });
 }
 
 }  // namespace pleura

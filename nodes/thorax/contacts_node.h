@@ -10,19 +10,26 @@
 namespace pleura {
 
 /// Says where the points of an organ are now that is held by what is around it: those near a wall follow it
-/// exactly, those between follow smoothly. Bindings are made once, from the shapes at rest, when somebody
-/// first asks. Its outputs are routed to the organ's contactIndex and contactPoint.
+/// exactly, those between follow smoothly or are left to the organ's deformer. Bindings are made once, from
+/// the shapes at rest, when somebody first asks. Its outputs are routed to the organ's contactIndex and
+/// contactPoint.
 class ContactsNode : public X3DChildNode {
  public:
   SFFloat inflation;
   TypedSFNode<DeformableShape2> organ;
+  SFBool fillsBetween;
 
-  class Index : public TypedField<MFInt32, AnyNumber<Any<MFVec3f, SFFloat>>> {
+  class Shape : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, SFFloat>>> {
+    void update() override { static_cast<ContactsNode*>(getOwner())->evaluateShape(value); }
+  };
+  Shape shape;
+
+  class Index : public TypedField<MFInt32, Types<MFVec3f, SFBool>> {
     void update() override { static_cast<ContactsNode*>(getOwner())->evaluateIndex(value); }
   };
   Index index;
 
-  class Point : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, SFFloat>>> {
+  class Point : public TypedField<MFVec3f, Types<MFVec3f, SFBool>> {
     void update() override { static_cast<ContactsNode*>(getOwner())->evaluatePoint(value); }
   };
   Point point;
@@ -36,11 +43,14 @@ class ContactsNode : public X3DChildNode {
   virtual void bind() = 0;
   /// Where the points of the organ are now, into `all`, one a point.
   virtual void follow(std::span<Vec3f> all) = 0;
+  /// The points that a wall moves, ascending. Only after bind().
+  virtual std::span<const int> driven() const = 0;
   /// What moves the points, beside the inflation.
   virtual std::vector<Field*> movers() = 0;
 
  private:
   bool isBound();
+  void evaluateShape(std::vector<Vec3f>& out);
   void evaluateIndex(std::vector<int>& out);
   void evaluatePoint(std::vector<Vec3f>& out);
 

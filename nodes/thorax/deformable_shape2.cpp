@@ -50,8 +50,6 @@ void DeformableShape2::onInitialize() {
   for (Field* input :
        std::initializer_list<Field*>{&deformer, &origCoord, &rigid_points, &contactIndex, &contactPoint})
     input->routeNoEvent(deformedCoord, id);
-  if (auto* solver = deformer.get())
-    for (Field* input : solver->inputs()) input->routeNoEvent(deformedCoord, id);
   deformedCoord.routeNoEvent(volume, id);
   deformedCoord.routeNoEvent(top, id);
   deformedCoord.touch();
@@ -84,6 +82,7 @@ void DeformableShape2::takeRest() {
   if (solver == nullptr) return;
   const TriangleMesh& shape = rest();
   slot_.assign(shape.points.size(), -1);
+  for (Field* input : solver->inputs()) input->routeNoEvent(deformedCoord, id);
   solver->setRest(shape, restRigid_);
 }
 

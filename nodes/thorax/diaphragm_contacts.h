@@ -36,6 +36,7 @@ class DiaphragmContacts : public ContactsNode {
   void onInitialize() override;
   void bind() override;
   void follow(std::span<Vec3f> all) override;
+  std::span<const int> driven() const override { return motion_->driven(); }
   std::vector<Field*> movers() override;
 
  private:

@@ -20,6 +20,7 @@ class LungContacts : public ContactsNode {
  protected:
   void bind() override;
   void follow(std::span<Vec3f> all) override;
+  std::span<const int> driven() const override { return motion_->driven(); }
   std::vector<Field*> movers() override;
 
  private:

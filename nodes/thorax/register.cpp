@@ -5,6 +5,7 @@
 #include <pleura/nodes/thorax/diaphragm_contacts.h>
 #include <pleura/nodes/thorax/fitted_transform.h>
 #include <pleura/nodes/thorax/lung_contacts.h>
+#include <pleura/nodes/thorax/organ_deformation.h>
 #include <pleura/nodes/thorax/pleural_wall_node.h>
 #include <pleura/nodes/thorax/respiration.h>
 #include <pleura/nodes/thorax/rot_transform.h>
@@ -19,6 +20,7 @@ void registerThoraxNodes(NodeRegistry& registry) {
   registry.add<DiaphragmContacts>();
   registry.add<FittedTransform>();
   registry.add<LungContacts>();
+  registry.add<OrganDeformation>();
   registry.add<PleuralWallNode>();
   registry.add<Respiration>();
   registry.add<RotTransform>();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <pleura/fields/errors.h>
+#include <pleura/fields/nearest_name.h>
 #include <pleura/nodes/standard/networking/inline.h>
 #include <pleura/x3d/encoding/document_builder.h>
 
@@ -79,6 +80,8 @@ DocumentBuilder::Open DocumentBuilder::openNode(std::string_view name, const Att
     return {Open::Kind::skipped};
   }
   Open opened{Open::Kind::node, type->create(), type->containerField(), tag};
+  const Place place = source_.placeAt(source_.tagBefore(tag));
+  opened.node->setPlace({file_, place.line, place.column});
   if (const auto field = valueOf(attributes, "containerField"); !field.empty()) opened.containerField = field;
   if (const auto def = valueOf(attributes, "DEF"); !def.empty()) define(std::string(def), opened.node, tag);
   setFields(*opened.node, attributes, tag);

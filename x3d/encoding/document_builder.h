@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -85,6 +86,7 @@ class DocumentBuilder : public ElementHandler {
 
   Reader& reader_;
   const SourceText& source_;
+  const std::shared_ptr<const std::string> file_ = std::make_shared<const std::string>(source_.name());
   std::filesystem::path folder_;
   Document document_;
   std::vector<Open> open_;

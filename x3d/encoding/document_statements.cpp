@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <pleura/fields/errors.h>
+#include <pleura/fields/nearest_name.h>
 #include <pleura/fields/text.h>
 #include <pleura/nodes/standard/networking/inline.h>
 #include <pleura/x3d/encoding/allowed_path.h>

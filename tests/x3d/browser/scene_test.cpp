@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <pleura/fields/errors.h>
+#include <pleura/nodes/standard/grouping/group.h>
 #include <pleura/tests/x3d/browser/load_scene.h>
 #include <pleura/x3d/browser/scene/state_hash.h>
 
@@ -53,6 +54,26 @@ TEST(Scene, SetRefusesWhatDoesNotFitAndChangesNothing) {
        {"T.translation=1 2", "T.translation=nan 0 0", "T.translation=", "C.time=3", "C.cycleInterval=-1"})
     EXPECT_THROW(scene->set(bad), FieldError) << bad;
   EXPECT_EQ(valueOf<SFVec3f>(*scene, "T.translation"), Vec3f(1, 2, 3));
+}
+
+TEST(Scene, WhatANodeComplainsOfIsToldWithItsPlaceAndOnce) {
+  const TemporaryFolder folder;
+  folder.write("part.x3d", "<Scene>\n  <Group DEF='PART'/>\n<EXPORT localDEF='PART'/></Scene>");
+  Scene scene;
+  scene.load(folder.write("s.x3d",
+                          "<Scene>\n<Group/>\n <Group/>\n<Inline DEF='I' url='\"part.x3d\"'/>"
+                          "<IMPORT inlineDEF='I' importedDEF='PART'/></Scene>"));
+  for (int time = 0; time < 2; ++time)
+    for (const auto& node : {scene.document().nodes[0], scene.document().nodes[1]})
+      scene.warn(*node, "is odd");
+  scene.warn(scene.node("PART"), "is odd");
+  scene.warn(*create<Group>(), "was not read");
+  std::vector<std::string> told;
+  for (const auto& each : scene.diagnostics().all())
+    told.push_back(std::filesystem::path(toText(each)).filename().string());
+  EXPECT_THAT(told, testing::ElementsAre(
+                        "s.x3d:2:1: warning: Group: is odd", "s.x3d:3:2: warning: Group: is odd",
+                        "part.x3d:2:3: warning: PART: is odd", "s.x3d: warning: Group: was not read"));
 }
 
 TEST(Scene, UnknownNamesAreToldWithTheNearest) {

@@ -1,8 +1,15 @@
+#include <map>
+
 #include "touched_scene.h"
 #include <gtest/gtest.h>
 
+#include <pleura/nodes/deformable/geometry_mesh.h>
 #include <pleura/nodes/deformable/mesh/surface_query.h>
+#include <pleura/nodes/standard/rendering/coordinate.h>
+#include <pleura/nodes/standard/rendering/x3d_composed_geometry_node.h>
+#include <pleura/nodes/standard/shape/shape.h>
 #include <pleura/nodes/thorax/deformable_shape2.h>
+#include <pleura/x3d/browser/scene/traversal.h>
 
 namespace pleura {
 namespace {
@@ -112,6 +119,68 @@ TEST_F(TouchedThorax, SomethingTouchedGoesBackToWhatItWas) {
   auto& lung = dynamic_cast<DeformableShape2&>(scene.node("LUNG_L"));
   EXPECT_EQ(lung.touchedCoord.getValue(), lung.deformedCoord.getValue());
 }
+
+/// A rib that turns, as something to measure distances from.
+class MovingRib {
+ public:
+  MovingRib(Scene& scene, const std::string& name)
+      : transform_(dynamic_cast<Transform&>(scene.node(name))), surface_(surfaceOf(transform_)) {}
+
+  /// [m] of a place in the scene, negative inside.
+  double distance(const Vec3f& place) {
+    const Vec3f local = (transform_.matrix.getValue().inverse() * place.homogeneous()).head<3>();
+    return surface_.signedDistance(local.cast<double>());
+  }
+
+ private:
+  static SurfaceQuery surfaceOf(Node& node) {
+    if (auto* shape = dynamic_cast<Shape*>(&node)) {
+      auto& geometry = dynamic_cast<X3DComposedGeometryNode&>(*shape->geometry.getValue());
+      const auto points = dynamic_cast<Coordinate&>(*geometry.coord.getValue()).point.getValue();
+      return {points, trianglesOf(geometry, points.size())};
+    }
+    return surfaceOf(*inside(node).front());
+  }
+
+  Transform& transform_;
+  SurfaceQuery surface_;
+};
+
+/// The hand goes to and fro over left ribs 4 to 6 while they move, two millimetres deep: wherever it has
+/// the ball in bone, something is felt, and the ball that is seen stays outside.
+class SlidingOverRibs : public TouchedThorax, public ::testing::WithParamInterface<int> {};
+
+TEST_P(SlidingOverRibs, NeverLosesThem) {
+  load();
+  std::string way = "0,0.130,0.060,0.090\n1,0.110,0.056,0.070\n2,0.0984,0.052,0.0584\n";
+  for (int start = 2; start < 58; start += 8) {
+    way += fmt::format("{},0.1,0.021,0.0755\n{},0.0984,-0.030,0.0894\n", start + 2, start + 4);
+    way += fmt::format("{},0.1,0.021,0.0755\n{},0.0984,0.052,0.0584\n", start + 6, start + 8);
+  }
+  Playback playback(scene,
+                    {.set = {fmt::format("BREATH.rate={}", GetParam())}, .touch = {.stylus = path(way)}});
+  playback.runUntil(0);
+  std::map<std::string, MovingRib> ribs;
+  for (const char* name : {"RIB_L4", "RIB_L5", "RIB_L6"}) ribs.emplace(name, MovingRib(scene, name));
+  constexpr double kRadius = 0.0025, kTolerance = 0.0003;
+  std::map<std::string, int> deep;
+  double nearest = 1;
+  int losses = 0;
+  playback.runUntil(60, [&](Time) {
+    const Vec3f hand = vector("STYLUS.trackerPosition"), ball = vector("STYLUS.proxyPosition");
+    for (auto& [name, rib] : ribs) {
+      nearest = std::min(nearest, rib.distance(ball));
+      if (rib.distance(hand) > kRadius - kTolerance) continue;
+      ++deep[name];
+      if (touched().empty()) ++losses;
+    }
+  });
+  EXPECT_EQ(losses, 0);
+  EXPECT_GT(nearest, kRadius - kTolerance);
+  for (const auto& [name, rib] : ribs) EXPECT_GT(deep[name], 60) << name << ": the hand is hardly in it";
+}
+
+INSTANTIATE_TEST_SUITE_P(AtRates, SlidingOverRibs, ::testing::Values(15, 60));
 
 /// The stylus rests on a part for a minute while the thorax breathes, held a few millimetres in: it never
 /// loses it.

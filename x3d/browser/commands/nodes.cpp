@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <pleura/fields/nearest_name.h>
 #include <pleura/nodes/built_in_nodes.h>
 #include <pleura/nodes/core/node_registry.h>
 #include <pleura/nodes/core/plugin.h>

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <pleura/fields/errors.h>
+#include <pleura/fields/nearest_name.h>
 #include <pleura/fields/periodic_update.h>
 #include <pleura/nodes/built_in_nodes.h>
 #include <pleura/x3d/browser/scene/scene.h>
@@ -86,8 +87,11 @@ void Scene::set(std::string_view assignment) {
 }
 
 void Scene::warn(const Node& node, const std::string& message) {
-  std::string text = node.describe() + ": " + message;
-  if (warned_.insert(text).second) diagnostics_.warn({file_}, std::move(text));
+  const NodePlace& at = node.place();
+  const Diagnostic warning{Diagnostic::Severity::warning,
+                           at.file ? Place{*at.file, at.line, at.column} : Place{file_},
+                           node.describe() + ": " + message};
+  if (warned_.insert(toText(warning)).second) diagnostics_.warn(warning.place, warning.message);
 }
 
 }  // namespace pleura

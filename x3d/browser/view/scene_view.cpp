@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <pleura/fields/nearest_name.h>
 #include <pleura/nodes/haptic/device_info.h>
 #include <pleura/nodes/standard/environmental_effects/background.h>
 #include <pleura/nodes/standard/navigation/lod.h>

@@ -1,8 +1,10 @@
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <pleura/tests/nodes/thorax/nodes/thorax_scene.h>
+#include <pleura/tests/x3d/temporary_folder.h>
 #include <pleura/x3d/browser/scene/state_hash.h>
 
 namespace pleura {
@@ -108,6 +110,53 @@ TEST(ThoraxScene, TwoRunsAreTheSameBitForBit) {
     return stateHash(*scene);
   };
   EXPECT_EQ(run(), run());
+}
+
+/// A whole thorax in whose file stands `more`.
+std::unique_ptr<Scene> thoraxWith(const std::string& more) {
+  const TemporaryFolder folder;
+  auto scene = std::make_unique<Scene>();
+  ReaderLimits limits;
+  limits.outsideFolder = true;
+  scene->load(
+      folder.write("s.x3d", "<Scene><ImportLibrary library='\"thorax\"'/><Inline DEF='BREATHING' url='\"" +
+                                (sceneFolder() / "breathing_thorax.x3d").string() +
+                                "\"'/>"
+                                "<IMPORT inlineDEF='BREATHING' importedDEF='BREATH'/>"
+                                "<IMPORT inlineDEF='BREATHING' importedDEF='LUNG_L'/>"
+                                "<IMPORT inlineDEF='BREATHING' importedDEF='LUNG_L_CONTACTS'/>" +
+                                more + "</Scene>"),
+      limits);
+  return scene;
+}
+
+TEST(ThoraxScene, AnOrganDeformsAsItsSceneSays) {
+  const auto byDefault = thoraxWith("");
+  const auto chosen = thoraxWith(
+      "<OrganDeformation><LungContacts USE='LUNG_L_CONTACTS' containerField='contacts'/>"
+      "<ChainmailDeformer smoothing='20'/></OrganDeformation>");
+  for (auto* scene : {byDefault.get(), chosen.get()}) {
+    for (const auto& each : scene->diagnostics().all()) ADD_FAILURE() << toText(each);
+    scene->set("BREATH.depth=1");
+    scene->tick(0);
+    scene->tick(kPeriod / 3);
+  }
+  const auto filled = valueOf<MFVec3f>(*byDefault, "LUNG_L.deformedCoord");
+  const auto deformed = valueOf<MFVec3f>(*chosen, "LUNG_L.deformedCoord");
+  const auto held = valueOf<MFInt32>(*chosen, "LUNG_L_CONTACTS.index");
+  ASSERT_EQ(filled.size(), deformed.size());
+  EXPECT_LT(held.size(), filled.size());
+  for (const int point : held)
+    EXPECT_EQ(deformed[static_cast<std::size_t>(point)], filled[static_cast<std::size_t>(point)]);
+  int differing = 0;
+  for (std::size_t i = 0; i < filled.size(); ++i) differing += filled[i] != deformed[i] ? 1 : 0;
+  EXPECT_GT(differing, static_cast<int>(filled.size() - held.size()) / 2);
+}
+
+TEST(ThoraxScene, AnOrganDeformationWithoutContactsIsTold) {
+  const auto scene = thoraxWith("<OrganDeformation DEF='NONE'><ChainmailDeformer/></OrganDeformation>");
+  ASSERT_EQ(scene->diagnostics().all().size(), 1u);
+  EXPECT_THAT(scene->diagnostics().all()[0].message, testing::HasSubstr("NONE: contacts is missing"));
 }
 
 TEST(ThoraxScene, RibsTurnWithTheBreath) {

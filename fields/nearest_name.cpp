@@ -1,20 +1,18 @@
 #include <algorithm>
-#include <array>
 #include <numeric>
+#include <vector>
 
-#include <pleura/haptics/device/nearest_name.h>
+#include <pleura/fields/nearest_name.h>
 
-namespace pleura::haptics {
+namespace pleura {
 
 namespace {
 
-constexpr std::size_t kLongestName = 64;
-
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c; }
 
-/// Levenshtein's distance, letters' case ignored; b has at most kLongestName letters.
+/// Levenshtein's distance, letters' case ignored.
 std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::array<std::size_t, kLongestName + 1> row{};
+  std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (const char letter : a) {
     std::size_t diagonal = row[0]++;
@@ -24,22 +22,27 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
       row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
     }
   }
-  return row[b.size()];
+  return row.back();
 }
 
 }  // namespace
 
-std::string didYouMean(std::string_view name, std::span<const std::string_view> known) {
+std::string nearestName(std::string_view name, std::span<const std::string_view> known) {
+  constexpr std::size_t kLongest = 64;
+  if (name.size() > kLongest) return {};
   std::string_view best;
   std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const auto each : known) {
-    if (each.size() > kLongestName) continue;
     const std::size_t distance = editDistance(name, each);
     if (distance >= least) continue;
     least = distance;
     best = each;
   }
-  return best.empty() ? std::string() : "; did you mean " + std::string(best) + "?";
+  return std::string(best);
+}
+
+std::string didYouMean(const std::string& nearest) {
+  return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
 }
 
 bool isSameName(std::string_view a, std::string_view b) {
@@ -47,4 +50,4 @@ bool isSameName(std::string_view a, std::string_view b) {
                     [](char left, char right) { return lower(left) == lower(right); });
 }
 
-}  // namespace pleura::haptics
+}  // namespace pleura
