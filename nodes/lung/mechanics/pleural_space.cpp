@@ -13,7 +13,8 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kLargestCavity = 1;  // [m^3]
 constexpr int kMostIterations = 300;  // bisection alone takes 110 from the widest bracket
 
-bool isWithin(double x, double least, double most) { return x >= least && x <= most; }  // false for a NaN
+// A NaN is not, and raises no floating-point exception.
+bool isInRange(double x, double least, double most) { return std::isfinite(x) && x >= least && x <= most; }
 
 void requirePositive(double value, const char* what) {
   if (!(std::isfinite(value) && value > 0))
@@ -21,16 +22,15 @@ void requirePositive(double value, const char* what) {
 }
 
 bool isSound(const PleuralDrain& drain, double ambient) {
-  return !drain.isOn ||
-         (isWithin(drain.resistance, 1, 1e15) && drain.suction >= 0 && drain.suction < ambient);
+  return !drain.isOn || (isInRange(drain.resistance, 1, 1e15) && isInRange(drain.suction, 0, ambient));
 }
 
 bool isSound(const LungMechanics& lung, const PleuralInputs& in, double dt) {
-  const double cavity = in.cavityVolume;
   const Orifice& hole = in.leak.hole;
-  return isWithin(dt, kShortestStep, kLongestStep) && cavity > lung.recoil.leastVolume() &&
-         cavity <= kLargestCavity && isWithin(in.ambientPressure, 1e3, 1e7) && isWithin(hole.area, 0, 1) &&
-         isWithin(hole.dischargeCoefficient, 0, 1) && isSound(in.drain, in.ambientPressure);
+  return isInRange(dt, kShortestStep, kLongestStep) && isInRange(in.ambientPressure, 1e3, 1e7) &&
+         isInRange(in.cavityVolume, 0, kLargestCavity) && in.cavityVolume > lung.recoil.leastVolume() &&
+         isInRange(hole.area, 0, 1) && isInRange(hole.dischargeCoefficient, 0, 1) &&
+         isSound(in.drain, in.ambientPressure);
 }
 
 // [kg/m^3] of air at body temperature
@@ -187,7 +187,7 @@ LungState restingState(const LungMechanics& lung, double ambientPressure) {
 }
 
 bool admitGas(double volume, double ambientPressure, LungState& state) {
-  if (!(volume >= 0 && volume <= kLargestCavity && isWithin(ambientPressure, 1e3, 1e7))) return false;
+  if (!isInRange(volume, 0, kLargestCavity) || !isInRange(ambientPressure, 1e3, 1e7)) return false;
   state.gas += ambientPressure * volume;
   return true;
 }

@@ -75,7 +75,7 @@ inline constexpr double kShortestStep = 1e-6, kLongestStep = 1e3;
 /// are one in P, monotone, so it has one root at any dt; Newton's method within a bracket finds it. Refused,
 /// with the state left as it was: numbers that are not finite, dt outside its limits, V_c outside (least
 /// volume of the lung, 1 m^3], p_0 outside [1e3, 1e7] Pa, areas outside [0, 1] m^2, a drain's resistance
-/// outside [1, 1e15] Pa s/m^3 or suction outside [0, p_0). Does not throw or allocate.
+/// outside [1, 1e15] Pa s/m^3 or suction outside [0, p_0]. Does not throw or allocate.
 PleuralReport advance(const LungMechanics& lung, const PleuralInputs& inputs, double dt, LungState& state);
 
 }  // namespace pleura

@@ -11,7 +11,7 @@ enum class Pneumothorax {
   closed,  // A leak that has sealed: what came in (admitGas) stays, and stretches and shrinks with P V
            // constant (simple pneumothorax, DeCarlo et al. 1995, whose gas brings the space to atmospheric
            // pressure).
-  open,  // A wound of the chest wall: gas flows both ways through its area, so that intrapleural pressure
+  open,    // A wound of the chest wall: gas flows both ways through its area, so that intrapleural pressure
          // tends to atmospheric and the lung to its unstretched shape (DeCarlo et al. 1995; the orifice's law
          // is ours).
   tension,  // A one-way valve: gas comes in while the pressure of its source is the higher, and never leaves.

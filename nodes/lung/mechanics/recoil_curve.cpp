@@ -37,7 +37,8 @@ RecoilCurve RecoilCurve::linear(const RestingLung& rest) {
 
 RecoilCurve RecoilCurve::sigmoid(const RestingLung& rest, double least, double most) {
   requireSound(rest);
-  if (!(least >= 0 && least < rest.volume && rest.volume < most && std::isfinite(most)))
+  if (!(std::isfinite(least) && std::isfinite(most) && 0 <= least && least < rest.volume &&
+        rest.volume < most))
     throw std::invalid_argument("recoil curve: 0 <= least < volume at rest < most does not hold");
   RecoilCurve curve;
   curve.a_ = least;
