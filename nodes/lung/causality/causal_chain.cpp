@@ -8,6 +8,14 @@
 namespace pleura {
 namespace {
 
+// A lung pressed so empty that its compliance is less than this share of that at rest changes its
+// transpulmonary pressure with no volume to see.
+constexpr double kLeastCompliance = 0.01;
+
+bool isCompliant(const LungMechanics& lung, const LungState& at) {
+  return lung.recoil.compliance(at.transpulmonary) >= kLeastCompliance * lung.rest.compliance;
+}
+
 // Rates of a step, [per s].
 struct Rates {
   double cavity, cavityQuickens;  // d2V_c/dt2
@@ -74,9 +82,15 @@ PerQuantity<SignSet> propagate(PerQuantity<SignSet> q, Known k) {
   return q;
 }
 
+// A tenth of what the cavity does, or less than is looked at.
+bool isSmall(double pleural, double cavity, double band) {
+  return std::abs(pleural) <= std::max(band / 4, std::abs(cavity) / 10);
+}
+
 bool isCoupled(const LungState& before, const LungState& now, const Rates& r, const DeadBands& band) {
-  return std::abs(r.pleural) <= band.volume / 4 && std::abs(r.pleuralQuickens) <= band.flowChange / 4 &&
-         before.tearFlow == 0 && now.tearFlow == 0;
+  return isSmall(r.pleural, r.cavity, band.volume) &&
+         isSmall(r.pleuralQuickens, r.cavityQuickens, band.flowChange) && before.tearFlow == 0 &&
+         now.tearFlow == 0;
 }
 
 Following followingOf(const Rates& r, const DeadBands& band) {
@@ -88,7 +102,7 @@ Following followingOf(const Rates& r, const DeadBands& band) {
 }  // namespace
 
 DeadBands deadBands(const LungMechanics& lung, const LungState& now, double stillness) {
-  const double least = 0.01 * lung.rest.compliance;  // of a lung that is pressed empty
+  const double least = kLeastCompliance * lung.rest.compliance;
   return {.pressure = stillness,
           .volume = stillness * std::max(least, lung.recoil.compliance(now.transpulmonary)),
           .flowChange = stillness / lung.airwayResistance};
@@ -110,8 +124,7 @@ CausalChain causalChain(const LungMechanics& lung, const PleuralInputs& inputs, 
                     .gas = SignSet::of(r.gas, band.volume),
                     .pleural = {},
                     .isCoupled = chain.isCoupled,
-                    .isCompliant = lung.recoil.compliance(now.transpulmonary) > 0 &&
-                                   lung.recoil.compliance(before.transpulmonary) > 0};
+                    .isCompliant = isCompliant(lung, before) && isCompliant(lung, now)};
   chain.derived = propagate(imposed, known);
   chain.isConsistent =
       std::none_of(chain.derived.begin(), chain.derived.end(), [](SignSet signs) { return signs.isEmpty(); });
