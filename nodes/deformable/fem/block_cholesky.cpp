@@ -1,0 +1,292 @@
+#include "block_cholesky.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/Cholesky>
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+
+namespace pleura {
+namespace {
+
+using Panel = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+using ConstPanel = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+constexpr double kSmallestPivot = 1e-14;
+// Zeros that a panel may hold so that there are fewer panels.
+constexpr double kMostZeros = 0.15;
+constexpr long kAlwaysMerged = 40;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// The rows of L below the diagonal, by columns; a column's parent is the first of them. `adjacent` holds the
+// neighbours of each position.
+std::vector<std::vector<int>> symbolicFactor(const std::vector<std::vector<int>>& adjacent) {
+  const int n = static_cast<int>(adjacent.size());
+  std::vector<std::vector<int>> below(adjacent.size()), children(adjacent.size());
+  std::vector<int> mark(adjacent.size(), -1);
+  for (int j = 0; j < n; ++j) {
+    auto& rows = below[at(j)];
+    const auto add = [&](int i) {
+      if (i > j && mark[at(i)] != j) {
+        mark[at(i)] = j;
+        rows.push_back(i);
+      }
+    };
+    for (const int i : adjacent[at(j)]) add(i);
+    for (const int child : children[at(j)])
+      for (const int i : below[at(child)]) add(i);
+    std::sort(rows.begin(), rows.end());
+    if (!rows.empty()) children[at(rows.front())].push_back(j);
+  }
+  return below;
+}
+
+// The parent of each column in the elimination tree, -1 for a root (Liu 1990).
+std::vector<int> eliminationTree(const std::vector<std::vector<int>>& adjacent) {
+  const int n = static_cast<int>(adjacent.size());
+  std::vector<int> parent(adjacent.size(), -1), ancestor(adjacent.size(), -1);
+  for (int j = 0; j < n; ++j)
+    for (int i : adjacent[at(j)])
+      while (i < j) {
+        const int next = std::exchange(ancestor[at(i)], j);
+        if (next < 0) parent[at(i)] = j;
+        if (next < 0 || next == j) break;
+        i = next;
+      }
+  return parent;
+}
+
+// Children right before their parents, each part of the tree in one piece.
+std::vector<int> postorder(const std::vector<int>& parent) {
+  const int n = static_cast<int>(parent.size());
+  std::vector<std::vector<int>> children(parent.size() + 1);
+  for (int j = 0; j < n; ++j) children[at(parent[at(j)] < 0 ? n : parent[at(j)])].push_back(j);
+  std::vector<int> order, stack{n};
+  while (!stack.empty()) {
+    const int j = stack.back();
+    stack.pop_back();
+    order.push_back(j);
+    for (const int child : children[at(j)]) stack.push_back(child);
+  }
+  std::reverse(order.begin(), order.end());
+  order.pop_back();  // n, which stands for no column
+  return order;
+}
+
+std::vector<std::vector<int>> adjacencyOf(const BlockPattern& pattern, std::span<const int> positionOf,
+                                          std::size_t count) {
+  std::vector<std::vector<int>> adjacent(count);
+  for (int i = 0; i < pattern.rowCount(); ++i)
+    for (int slot = pattern.begin[at(i)] + 1; slot < pattern.begin[at(i) + 1]; ++slot) {
+      const int p = positionOf[at(i)], q = positionOf[at(pattern.column[at(slot)])];
+      if (p < 0 || q < 0) continue;
+      adjacent[at(p)].push_back(q);
+      adjacent[at(q)].push_back(p);
+    }
+  return adjacent;
+}
+
+std::vector<int> minimumDegree(const std::vector<std::vector<int>>& adjacent) {
+  const int n = static_cast<int>(adjacent.size());
+  std::vector<Eigen::Triplet<float>> links;
+  for (int i = 0; i < n; ++i) {
+    links.emplace_back(i, i, 1.f);
+    for (const int j : adjacent[at(i)]) links.emplace_back(i, j, 1.f);
+  }
+  Eigen::SparseMatrix<float> graph(n, n);
+  graph.setFromTriplets(links.begin(), links.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  if (n > 0) Eigen::AMDOrdering<int>()(graph, order);
+  return {order.indices().data(), order.indices().data() + n};
+}
+
+// The first positions of supernodes. A column joins the one before it when that is its child and the zeros
+// this stores are none, or few.
+std::vector<int> supernodesOf(const std::vector<std::vector<int>>& below) {
+  const int n = static_cast<int>(below.size());
+  std::vector<int> firsts;
+  std::vector<long> zeros;
+  const auto merge = [&](int last) {  // the last two supernodes, of which the second ends before `last`
+    const int b = firsts.back(), a = firsts[firsts.size() - 2];
+    if (below[at(b) - 1].empty() || below[at(b) - 1].front() != b) return false;
+    const long merged = b - a, tail = last - b;
+    const long rowsA = static_cast<long>(below[at(b) - 1].size());
+    const long rowsB = static_cast<long>(below[at(last) - 1].size());
+    const long added = merged * (tail + rowsB - rowsA);
+    const long kept = zeros.back() + zeros[zeros.size() - 2] + added;
+    const long width = merged + tail;
+    const double size = static_cast<double>(width * (width + 1) / 2 + width * rowsB);
+    if (added > 0 && kept > kAlwaysMerged && static_cast<double>(kept) > kMostZeros * size) return false;
+    firsts.pop_back();
+    zeros.pop_back();
+    zeros.back() = kept;
+    return true;
+  };
+  for (int j = 0; j < n; ++j) {
+    const bool isChain = j > 0 && !below[at(j) - 1].empty() && below[at(j) - 1].front() == j &&
+                         below[at(j) - 1].size() == below[at(j)].size() + 1;
+    if (isChain) continue;
+    while (firsts.size() > 1 && merge(j)) continue;
+    firsts.push_back(j);
+    zeros.push_back(0);
+  }
+  while (firsts.size() > 1 && merge(n)) continue;
+  return firsts;
+}
+
+}  // namespace
+
+BlockCholesky::BlockCholesky(const BlockPattern& pattern, std::span<const int> unknowns)
+    : _node(unknowns.begin(), unknowns.end()) {
+  std::vector<int> positionOf(at(pattern.rowCount()), -1);
+  const auto adjacent = [&] {
+    for (std::size_t p = 0; p < _node.size(); ++p) positionOf[at(_node[p])] = static_cast<int>(p);
+    return adjacencyOf(pattern, positionOf, _node.size());
+  };
+  const auto reorder = [&](const std::vector<int>& order) {
+    std::vector<int> node;
+    for (const int p : order) node.push_back(_node[at(p)]);
+    _node = node;
+  };
+  reorder(minimumDegree(adjacent()));
+  reorder(postorder(eliminationTree(adjacent())));
+  const auto below = symbolicFactor(adjacent());
+  layOut(below, supernodesOf(below));
+  placeEntries(pattern, positionOf);
+}
+
+void BlockCholesky::layOut(const std::vector<std::vector<int>>& below, std::span<const int> firsts) {
+  const int n = static_cast<int>(_node.size());
+  std::size_t size = 0;
+  int mostRows = 0;
+  _supernode.resize(_node.size());
+  for (std::size_t k = 0; k < firsts.size(); ++k) {
+    const int first = firsts[k], last = k + 1 < firsts.size() ? firsts[k + 1] : n;
+    const auto& rows = below[at(last) - 1];
+    _supernodes.push_back({first, last, static_cast<int>(_rows.size()), static_cast<int>(rows.size()), size});
+    _rows.insert(_rows.end(), rows.begin(), rows.end());
+    std::fill(_supernode.begin() + first, _supernode.begin() + last, static_cast<int>(k));
+    const auto width = at(last - first);
+    size += 9 * width * (width + rows.size());
+    mostRows = std::max(mostRows, 3 * static_cast<int>(rows.size()));
+  }
+  _panels.resize(size);
+  _diagonal.resize(3 * _node.size());
+  _update.resize(at(mostRows) * at(mostRows));
+  _place.resize(_node.size());
+  _x.resize(3 * n);
+  _gathered.resize(mostRows);
+}
+
+void BlockCholesky::placeEntries(const BlockPattern& pattern, std::span<const int> positionOf) {
+  for (int i = 0; i < pattern.rowCount(); ++i)
+    for (int slot = pattern.begin[at(i)]; slot < pattern.begin[at(i) + 1]; ++slot) {
+      const int p = positionOf[at(i)], q = positionOf[at(pattern.column[at(slot)])];
+      if (p < 0 || q < 0) continue;
+      const auto [column, row] = std::minmax(p, q);
+      const Supernode& s = _supernodes[at(_supernode[at(column)])];
+      const int width = s.last - s.first;
+      int place = row - s.first;
+      if (row >= s.last) {
+        const auto rows = _rows.begin() + s.rows;
+        place = width + static_cast<int>(std::lower_bound(rows, rows + s.rowCount, row) - rows);
+      }
+      const int stride = 3 * (width + s.rowCount);
+      // The slot holds A_ij; wanted is the block of row `row`, column `column`.
+      _entries.push_back({p == row ? slot : ~slot, stride,
+                          s.panel + at(3 * (column - s.first)) * at(stride) + at(3 * place)});
+    }
+}
+
+bool BlockCholesky::factorise(const BlockPattern& pattern, const BlockValues& values) {
+  std::fill(_panels.begin(), _panels.end(), 0);
+  for (const Entry& entry : _entries) {
+    Panel block(&_panels[entry.offset], 3, 3, Eigen::OuterStride<>(entry.stride));
+    if (entry.slot >= 0)
+      block = values[at(entry.slot)];
+    else
+      block = values[at(~entry.slot)].transpose();
+  }
+  for (std::size_t p = 0; p < _node.size(); ++p)
+    Eigen::Vector3d::Map(&_diagonal[3 * p]) = values[at(pattern.begin[at(_node[p])])].diagonal();
+  for (const Supernode& s : _supernodes) {
+    if (!factorisePanel(s)) return false;
+    updateAncestors(s);
+  }
+  return true;
+}
+
+bool BlockCholesky::factorisePanel(const Supernode& s) {
+  const int width = 3 * (s.last - s.first), below = 3 * s.rowCount;
+  const Eigen::OuterStride<> stride(width + below);
+  Panel diagonal(&_panels[s.panel], width, width, stride);
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>> llt(diagonal);
+  if (llt.info() != Eigen::Success) return false;
+  for (int i = 0; i < width; ++i)
+    if (diagonal(i, i) * diagonal(i, i) <= kSmallestPivot * _diagonal[at(3 * s.first + i)]) return false;
+  if (below > 0) {
+    Panel rows(&_panels[s.panel + at(width)], below, width, stride);
+    diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rows);
+  }
+  return true;
+}
+
+void BlockCholesky::updateAncestors(const Supernode& s) {
+  if (s.rowCount == 0) return;
+  const int width = 3 * (s.last - s.first), below = 3 * s.rowCount;
+  const ConstPanel rows(&_panels[s.panel + at(width)], below, width, Eigen::OuterStride<>(width + below));
+  Eigen::Map<Eigen::MatrixXd> update(_update.data(), below, below);
+  update.triangularView<Eigen::Lower>() = rows * rows.transpose();
+  const int* row = &_rows[at(s.rows)];
+  for (int j = 0; j < s.rowCount;) {
+    const Supernode& a = _supernodes[at(_supernode[at(row[j])])];
+    const int widthA = a.last - a.first, stride = 3 * (widthA + a.rowCount);
+    for (int p = a.first; p < a.last; ++p) _place[at(p)] = p - a.first;
+    for (int i = 0; i < a.rowCount; ++i) _place[at(_rows[at(a.rows + i)])] = widthA + i;
+    for (; j < s.rowCount && row[j] < a.last; ++j)
+      for (int c = 0; c < 3; ++c) {
+        double* to = &_panels[a.panel + at(3 * (row[j] - a.first) + c) * at(stride)];
+        const double* from = &_update[at(3 * j + c) * at(below)];
+        for (int i = j; i < s.rowCount; ++i)
+          for (int k = 0; k < 3; ++k) to[3 * _place[at(row[i])] + k] -= from[3 * i + k];
+      }
+  }
+}
+
+void BlockCholesky::solve(const NodeVectors& b, NodeVectors& x) {
+  for (std::size_t p = 0; p < _node.size(); ++p)
+    _x.segment<3>(static_cast<Eigen::Index>(3 * p)) = b[at(_node[p])];
+  for (const Supernode& s : _supernodes) {  // L y = b
+    const int width = 3 * (s.last - s.first), below = 3 * s.rowCount;
+    const Eigen::OuterStride<> stride(width + below);
+    auto top = _x.segment(3 * s.first, width);
+    ConstPanel(&_panels[s.panel], width, width, stride).triangularView<Eigen::Lower>().solveInPlace(top);
+    if (below == 0) continue;
+    auto sum = _gathered.head(below);
+    sum.noalias() = ConstPanel(&_panels[s.panel + at(width)], below, width, stride) * top;
+    for (int i = 0; i < s.rowCount; ++i) _x.segment<3>(3 * _rows[at(s.rows + i)]) -= sum.segment<3>(3 * i);
+  }
+  for (auto s = _supernodes.rbegin(); s != _supernodes.rend(); ++s) {  // L^T x = y
+    const int width = 3 * (s->last - s->first), below = 3 * s->rowCount;
+    const Eigen::OuterStride<> stride(width + below);
+    auto top = _x.segment(3 * s->first, width);
+    if (below > 0) {
+      auto gathered = _gathered.head(below);
+      for (int i = 0; i < s->rowCount; ++i)
+        gathered.segment<3>(3 * i) = _x.segment<3>(3 * _rows[at(s->rows + i)]);
+      top.noalias() -=
+          ConstPanel(&_panels[s->panel + at(width)], below, width, stride).transpose() * gathered;
+    }
+    ConstPanel(&_panels[s->panel], width, width, stride)
+        .transpose()
+        .triangularView<Eigen::Upper>()
+        .solveInPlace(top);
+  }
+  std::fill(x.begin(), x.end(), Eigen::Vector3d::Zero());
+  for (std::size_t p = 0; p < _node.size(); ++p)
+    x[at(_node[p])] = _x.segment<3>(static_cast<Eigen::Index>(3 * p));
+}
+
+}  // namespace pleura

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <pleura/nodes/deformable/fem/block_matrix.h>
+
+namespace pleura {
+
+/// A = L L^T of a sparse symmetric matrix of 3 x 3 blocks, for one pattern and many values. Columns of L with
+/// the same rows below them are kept as one dense panel (a supernode: Ng and Peyton 1993), so that a solve
+/// streams through memory twice and does little else. Analysed at construction; solve() allocates nothing.
+class BlockCholesky {
+ public:
+  BlockCholesky() = default;
+  /// Of the rows and columns of the nodes in `unknowns`, in an order that keeps the fill low (approximate
+  /// minimum degree of the graph of nodes: Amestoy, Davis and Duff 1996).
+  BlockCholesky(const BlockPattern& pattern, std::span<const int> unknowns);
+
+  /// Factorises. False when a pivot is below 1e-14 of its diagonal: the matrix is singular, or not positive,
+  /// and there is nothing to solve with.
+  bool factorise(const BlockPattern& pattern, const BlockValues& values);
+
+  /// x := A^-1 b at the unknowns, 0 at the other nodes. b and x may be the same. After factorise() said true.
+  void solve(const NodeVectors& b, NodeVectors& x);
+
+  std::size_t factorSize() const { return _panels.size(); }  ///< numbers kept
+
+ private:
+  struct Supernode {
+    int first, last;    // positions [first, last)
+    int rows;           // where its rows below begin in _rows
+    int rowCount;       // in nodes
+    std::size_t panel;  // where its panel begins: columns of height 3 (last - first + rowCount)
+  };
+  /// Where a block of A goes: into the panels, at `offset` of a column-major array of height `stride`.
+  struct Entry {
+    int slot;  // of the pattern; ~slot: its transpose
+    int stride;
+    std::size_t offset;
+  };
+
+  void layOut(const std::vector<std::vector<int>>& below, std::span<const int> firsts);
+  void placeEntries(const BlockPattern& pattern, std::span<const int> positionOf);
+  bool factorisePanel(const Supernode& s);
+  void updateAncestors(const Supernode& s);
+
+  std::vector<int> _node;       // [position] the unknown there
+  std::vector<int> _supernode;  // [position]
+  std::vector<Supernode> _supernodes;
+  std::vector<int> _rows;  // positions
+  std::vector<Entry> _entries;
+  std::vector<double> _panels;
+  std::vector<double> _diagonal;  // of A, [3 position + i]
+  std::vector<double> _update;    // work space
+  std::vector<int> _place;        // work space, [position]
+  Eigen::VectorXd _x;             // work space, by position
+  Eigen::VectorXd _gathered;      // work space
+};
+
+}  // namespace pleura
