@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeastCompliance = 0.01;
 
 bool isCompliant(const LungMechanics& lung, const LungState& at) {
-  return lung.recoil.compliance(at.transpulmonary) >= kLeastCompliance * lung.rest.compliance;
+  return lung.recoil.compliance(at.transpulmonary) >= kLeastCompliance * lung.recoil.rest().compliance;
 }
 
 // Rates of a step, [per s].
@@ -102,7 +102,7 @@ Following followingOf(const Rates& r, const DeadBands& band) {
 }  // namespace
 
 DeadBands deadBands(const LungMechanics& lung, const LungState& now, double stillness) {
-  const double least = kLeastCompliance * lung.rest.compliance;
+  const double least = kLeastCompliance * lung.recoil.rest().compliance;
   return {.pressure = stillness,
           .volume = stillness * std::max(least, lung.recoil.compliance(now.transpulmonary)),
           .flowChange = stillness / lung.airwayResistance};

@@ -178,7 +178,7 @@ std::string gas(const CausalChain& chain) {
   if (!chain.hasGas) return "";
   switch (chain.following) {
     case Following::fully:
-      return std::string("The lung still follows the chest wall, at a distance, because ") +
+      return std::string("The lung still follows the chest wall, but at a distance, because ") +
              becauseOfGas(chain) + ".";
     case Following::partly:
       return std::string("The lung follows the chest wall only in part because ") + becauseOfGas(chain) + ".";

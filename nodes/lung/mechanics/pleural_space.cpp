@@ -144,14 +144,19 @@ Root solve(const Step& step, double start) {
     if (root.isFound) return root;
     (step.isTooHigh(root.at) ? high : low) = root.P;
     const double middle = low + 0.5 * (high - low);
-    if (middle <= low || middle >= high) break;  // neighbours in double: nothing is nearer
-    const double newton = isPhysical ? root.P - root.at.residual / root.at.dResidual : high;
+    if (middle <= low || middle >= high) {  // neighbours in double: nothing is nearer
+      root.P = low;
+      root.at = step.guess(low);
+      root.isFound = true;
+      return root;
+    }
+    const bool hasSlope = root.at.dResidual < 0 && (isPhysical || root.at.residual < 0);
+    const double newton = hasSlope ? root.P - root.at.residual / root.at.dResidual : high;
     const bool isGood = newton > low && newton < high && std::abs(newton - root.P) < 0.5 * way;
     const double next = isGood ? newton : middle;
     way = std::abs(next - root.P);
     root.P = next;
   }
-  root.isFound = root.iterations < kMostIterations && step.isPhysical(root.at);
   return root;
 }
 
@@ -167,21 +172,19 @@ void limitOutflow(const LungState& before, double ambient, double dt, Guess& g) 
 
 }  // namespace
 
-double restingCavity(const LungMechanics& lung) {
-  return lung.recoil.volume(lung.rest.recoil) + lung.filmVolume;
-}
+double restingCavity(const LungMechanics& lung) { return lung.recoil.rest().volume + lung.filmVolume; }
 
 LungState restingState(const LungMechanics& lung, double ambientPressure) {
-  requirePositive(lung.rest.recoil, "the transpulmonary pressure at rest");
   requirePositive(lung.airwayResistance, "the airway's resistance");
   requirePositive(lung.filmVolume, "the film's volume");
   requirePositive(ambientPressure, "ambient pressure");
+  const double recoil = lung.recoil.rest().recoil;
   LungState state;
   state.cavityVolume = restingCavity(lung);
-  state.lungVolume = state.cavityVolume - lung.filmVolume;
-  state.transpulmonary = lung.rest.recoil;
-  state.intrapleural = -lung.rest.recoil;
-  state.film = (ambientPressure - lung.rest.recoil) * lung.filmVolume;
+  state.lungVolume = lung.recoil.rest().volume;
+  state.transpulmonary = recoil;
+  state.intrapleural = -recoil;
+  state.film = (ambientPressure - recoil) * lung.filmVolume;
   requirePositive(state.film, "the film's pressure");
   return state;
 }

@@ -7,7 +7,6 @@ namespace pleura {
 
 /// One lung and its pleural space. Two of them are two instances that share nothing but the air outside.
 struct LungMechanics {
-  RestingLung rest;
   RecoilCurve recoil = RecoilCurve::linear();
   double airwayResistance =
       3 * kCmH2O / kLitre;   // R [Pa s/m^3] > 0 of this lung's bronchus; two of them side by

@@ -7,7 +7,7 @@ namespace pleura {
 
 /// How gas gets into the pleural space. Where no source is named the rule is this model's own.
 enum class Pneumothorax {
-  none,    // Nothing comes in and nothing leaves.
+  none,    // Nothing comes in and nothing leaves; gas that is there stays until a drain has taken it.
   closed,  // A leak that has sealed: what came in (admitGas) stays, and stretches and shrinks with P V
            // constant (simple pneumothorax, DeCarlo et al. 1995, whose gas brings the space to atmospheric
            // pressure).

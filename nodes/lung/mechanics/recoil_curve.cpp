@@ -13,12 +13,6 @@ void requirePositive(double value, const char* what) {
     throw std::invalid_argument(std::string("recoil curve: ") + what + " must be a positive number");
 }
 
-void requireSound(const RestingLung& rest) {
-  requirePositive(rest.volume, "the lung's volume at rest");
-  requirePositive(rest.recoil, "the transpulmonary pressure at rest");
-  requirePositive(rest.compliance, "the compliance at rest");
-}
-
 // 1 / (1 + exp(-z)), without overflow
 double logistic(double z) {
   const double e = std::exp(-std::abs(z));
@@ -27,20 +21,24 @@ double logistic(double z) {
 
 }  // namespace
 
+RecoilCurve::RecoilCurve(const RestingLung& rest) : rest_(rest) {
+  requirePositive(rest.volume, "the lung's volume at rest");
+  requirePositive(rest.recoil, "the transpulmonary pressure at rest");
+  requirePositive(rest.compliance, "the compliance at rest");
+}
+
 RecoilCurve RecoilCurve::linear(const RestingLung& rest) {
-  requireSound(rest);
-  RecoilCurve curve;
+  RecoilCurve curve(rest);
   curve.c_ = rest.volume - rest.compliance * rest.recoil;
   curve.d_ = rest.compliance;
   return curve;
 }
 
 RecoilCurve RecoilCurve::sigmoid(const RestingLung& rest, double least, double most) {
-  requireSound(rest);
+  RecoilCurve curve(rest);
   if (!(std::isfinite(least) && std::isfinite(most) && 0 <= least && least < rest.volume &&
         rest.volume < most))
     throw std::invalid_argument("recoil curve: 0 <= least < volume at rest < most does not hold");
-  RecoilCurve curve;
   curve.a_ = least;
   curve.b_ = most - least;
   const double s = (rest.volume - least) / curve.b_;  // V(P_F) = a + b s,  V'(P_F) = b s (1 - s) / d
@@ -55,8 +53,8 @@ double RecoilCurve::volume(double P) const {
 
 double RecoilCurve::compliance(double P) const {
   if (b_ == 0) return c_ + d_ * P > 0 ? d_ : 0;
-  const double s = logistic((P - c_) / d_), rest = logistic((c_ - P) / d_);  // 1 - s, without cancelling
-  return b_ * s * rest / d_;
+  const double s = logistic((P - c_) / d_), t = logistic((c_ - P) / d_);  // t = 1 - s, without cancelling
+  return b_ * s * t / d_;
 }
 
 }  // namespace pleura

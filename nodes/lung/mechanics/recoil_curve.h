@@ -29,8 +29,12 @@ class RecoilCurve {
   double volume(double P) const;      // [m^3] at any finite P
   double compliance(double P) const;  // dV/dP [m^3/Pa], at least 0
   double leastVolume() const { return a_; }
+  const RestingLung& rest() const { return rest_; }
 
  private:
+  explicit RecoilCurve(const RestingLung& rest);
+
+  RestingLung rest_;
   double a_ = 0, b_ = 0, c_ = 0, d_ = 0;  // b_ = 0: linear, V = c_ + d_ P
 };
 

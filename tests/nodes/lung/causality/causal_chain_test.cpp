@@ -252,7 +252,7 @@ TEST(DeadBands, FollowFromPressureByComplianceAndResistance) {
   const BreathingLung side;
   const DeadBands band = deadBands(side.lung, side.now, 2);
   EXPECT_EQ(band.pressure, 2);
-  EXPECT_DOUBLE_EQ(band.volume, 2 * side.lung.rest.compliance);
+  EXPECT_DOUBLE_EQ(band.volume, 2 * side.lung.recoil.rest().compliance);
   EXPECT_DOUBLE_EQ(band.flowChange, 2 / side.lung.airwayResistance);
 }
 

@@ -90,7 +90,7 @@ TEST(CausalText, ClosedPneumothoraxAndItsDrain) {
   side.inputs.leak.kind = Pneumothorax::closed;
   admitGas(0.4 * kLitre, 101325, side.now);
   EXPECT_THAT(toldAt(12.5, {}, side).front(),
-              StartsWith("The lung still follows the chest wall, at a distance"));
+              StartsWith("The lung still follows the chest wall, but at a distance"));
   side.inputs.drain = {.isOn = true, .resistance = 1e8};
   const auto told = toldAt(4.5, {}, side);
   EXPECT_THAT(told.front(), HasSubstr("until the drain has taken it out"));

@@ -70,7 +70,7 @@ struct BreathingLung {
 
 inline LungMechanics sigmoidLung() {
   LungMechanics lung;
-  lung.recoil = RecoilCurve::sigmoid(lung.rest);
+  lung.recoil = RecoilCurve::sigmoid();
   return lung;
 }
 

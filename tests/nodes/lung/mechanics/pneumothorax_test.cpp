@@ -102,7 +102,7 @@ TEST(OpenPneumothorax, ThroughALargeWoundTheLungFallsWithTheTimeConstantRC) {
     BreathingLung side;
     side.inputs.leak = wound(Pneumothorax::open, 1);
     side.steps(static_cast<int>(std::lround(0.45 / dt)), dt);
-    const double rc = side.lung.airwayResistance * side.lung.rest.compliance;
+    const double rc = side.lung.airwayResistance * side.lung.recoil.rest().compliance;
     EXPECT_NEAR(rc, 0.3, 1e-12);
     const double exact = 0.65 * kLitre + 0.5 * kLitre * std::exp(-0.45 / rc);
     return std::abs(side.now.lungVolume - exact);
@@ -116,7 +116,7 @@ TEST(OpenPneumothorax, ThroughALargeWoundTheLungFallsWithTheTimeConstantRC) {
 // and half of sqrt(u_F) is left at T / 2.
 TEST(OpenPneumothorax, ThroughASmallWoundTheSquareRootOfTheStretchFallsEvenly) {
   BreathingLung side;
-  const double C = side.lung.rest.compliance, uF = 0.5 * kLitre;
+  const double C = side.lung.recoil.rest().compliance, uF = 0.5 * kLitre;
   side.inputs.leak = wound(Pneumothorax::open, 1e-7);
   const double T = 2 / (0.6 * 1e-7) * std::sqrt(uF * C * kAirDensity / 2);
   side.steps(20'000, T / 40'000);
@@ -249,7 +249,8 @@ TEST(Drain, NeverLetsAnythingBackIn) {
 TEST(Drain, TakesTheTimeOfTubeAndCompliance) {
   BreathingLung side = closedPneumothorax(1);
   side.steps(5000, 0.01);
-  const double C = side.lung.rest.compliance, suction = 20 * kCmH2O, Rd = 1e8;  // slow beside the bronchus
+  const double C = side.lung.recoil.rest().compliance, suction = 20 * kCmH2O,
+               Rd = 1e8;  // slow beside the bronchus
   side.inputs.drain = {.isOn = true, .suction = suction, .resistance = Rd};
   const double exact = Rd * C * std::log(suction * C / (suction * C - 0.5 * kLitre));
   double t = 0;
