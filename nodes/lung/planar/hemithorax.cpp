@@ -142,13 +142,14 @@ void openWound(const HemithoraxShape& shape, ChestOutline& wall) {
   }
 }
 
-/// The wall moved inwards by the film, every other point of it, drawn together about the hilum.
+/// The wall moved inwards by somewhat more than the film, every other point of it, drawn together about the
+/// hilum.
 std::vector<Vector2d> naturalOutline(const HemithoraxShape& shape, const ChestOutline& wall) {
   const std::size_t count = wall.rest.size();
   std::vector<Vector2d> outline;
   for (std::size_t k = 0; k < count; k += 2) {
     const Vector2d along = wall.rest[(k + 1) % count] - wall.rest[(k + count - 1) % count];
-    outline.emplace_back(wall.rest[k] + shape.film * Vector2d(-along.y(), along.x()).normalized());
+    outline.emplace_back(wall.rest[k] + 1.5 * shape.film * Vector2d(-along.y(), along.x()).normalized());
   }
   const Vector2d hilum = outline.front();
   for (Vector2d& p : outline) p = hilum + shape.naturalScale * (p - hilum);

@@ -14,8 +14,8 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 constexpr int kIterations = 200;
-constexpr double kTolerance = 1e-11;  // of the forces that balance
-constexpr double kForce = 1e-3;       // [N] smaller ones count as this
+constexpr double kTolerance = 1e-8;  // of the forces that balance
+constexpr double kForce = 1e-3;      // [N] smaller ones count as this
 
 void requirePositive(double value, const char* what) {
   if (!(value > 0 && std::isfinite(value)))
@@ -191,7 +191,11 @@ bool PlanarLungSystem::factorise(double rate) {
     side.solved = side.factor.solve(side.toChest);
     chestFactor_ -= side.toChest.transpose() * side.solved;
   }
-  return chestFactor_(0, 0) > 0 && chestFactor_.determinant() > 0;
+  const double mean = chestFactor_.trace() / 2;
+  const double least = mean - std::hypot((chestFactor_(0, 0) - chestFactor_(1, 1)) / 2, chestFactor_(0, 1));
+  const double enough = 1e-2 * stiffness_.minCoeff();
+  if (least < enough) chestFactor_.diagonal().array() += enough - least;
+  return chestFactor_.allFinite();
 }
 
 void PlanarLungSystem::direct() {

@@ -12,18 +12,17 @@ struct HemithoraxShape {
   double height = 0.24;          // [m] from the costophrenic recess to the apex, > 0
   double domeHeight = 0.045;     // [m] of the diaphragm's dome above the recess, in (0, height / 3]
   double midlineToHilum = 0.03;  // [m] half of the mediastinum, >= 0
-  double naturalScale =
-      0.82;                   // the lung's unstretched lengths over those of the cavity it fills, in [0.3, 1)
-  double film = 0.001;        // [m] distance at which the two pleurae begin to press on each other, > 0
-  double woundHeight = 0.02;  // [m] of the wound's middle above the hilum, on the lateral wall
-  double woundLength = 0.02;  // [m] of the gap along the wall, >= 0
-  int rings = 6;              // of triangles from the middle of the lung to its outline, in [3, 48]
-  bool isMirrored = false;    // false: on the side of +x, the subject's left
+  double naturalScale = 0.84;    // unstretched lengths of the lung over the cavity's, in [0.3, 1)
+  double film = 0.001;           // [m] distance at which the two pleurae begin to press on each other, > 0
+  double woundHeight = 0.02;     // [m] of the wound's middle above the hilum, on the lateral wall
+  double woundLength = 0.02;     // [m] of the gap along the wall, >= 0
+  int rings = 6;                 // of triangles from the middle of the lung to its outline, in [3, 48]
+  bool isMirrored = false;       // false: on the side of +x, the subject's left
 };
 
 /// Linear viscoelastic tissue: stress = C (strain + relaxationTime * strain rate).
 struct LungTissue {
-  double youngsModulus = 1350;   // [Pa] > 0; with the scale above the lung fills its cavity at -5 cmH2O
+  double youngsModulus = 1600;   // [Pa] > 0; with the scale above the lung fills its cavity at -5 cmH2O
   double poissonsRatio = 0.3;    // in (-1, 0.5)
   double density = 250;          // [kg/m^3] > 0, of tissue and air together
   double relaxationTime = 0.05;  // [s] >= 0

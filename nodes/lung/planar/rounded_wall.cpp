@@ -11,15 +11,53 @@ using Eigen::Matrix4d;
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 
+namespace {
+
+constexpr double kFoot = 1e-13;   // of a piece
+constexpr double kTiny = 1e-300;  // [m^2] keeps a piece without length from dividing by zero
+constexpr std::size_t kRun = 8;   // points
+constexpr int kMoves = 4;         // to neighbouring pieces
+
+}  // namespace
+
 RoundedWall::RoundedWall(const ChestOutline& outline) : outline_(outline), points_(outline.rest) {
+  for (std::size_t begin = 0; begin < points_.size(); begin += kRun)
+    runs_.push_back({begin, std::min(begin + kRun, points_.size()), Vector2d::Zero(), 0});
   move(Vector2d::Zero());
 }
 
 void RoundedWall::move(const Vector2d& q) {
   for (std::size_t k = 0; k < points_.size(); ++k) points_[k] = outline_.at(k, q);
-  longest_ = 0;
+  double longest = 0;
   for (std::size_t k = 0; k < points_.size(); ++k)
-    longest_ = std::max(longest_, (points_[next(k)] - points_[k]).norm());
+    longest = std::max(longest, (points_[next(k)] - points_[k]).squaredNorm());
+  longest_ = std::sqrt(longest);
+  for (Run& run : runs_) {
+    run.middle = points_[(run.begin + run.end) / 2];
+    double radius = 0;
+    for (std::size_t k = run.begin; k < run.end; ++k)
+      radius = std::max(radius, (points_[k] - run.middle).squaredNorm());
+    run.radius = std::sqrt(radius);
+  }
+}
+
+std::size_t RoundedWall::nearest(const Vector2d& x) const {
+  double bound = std::numeric_limits<double>::infinity();
+  for (const Run& run : runs_) bound = std::min(bound, (x - run.middle).squaredNorm());
+  bound = std::sqrt(bound);
+  std::size_t found = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Run& run : runs_) {
+    const double reach = bound + run.radius;
+    if ((x - run.middle).squaredNorm() > reach * reach) continue;
+    for (std::size_t k = run.begin; k < run.end; ++k) {
+      const double squared = (x - points_[k]).squaredNorm();
+      if (squared >= least) continue;
+      least = squared;
+      found = k;
+    }
+  }
+  return found;
 }
 
 RoundedWall::Piece RoundedWall::piece(std::size_t k) const {
@@ -33,14 +71,8 @@ RoundedWall::Piece RoundedWall::piece(std::size_t k) const {
 }
 
 WallGap RoundedWall::gapAt(const Vector2d& x, double reach) const {
-  std::size_t k = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const double squared = (x - points_[i]).squaredNorm();
-    if (squared >= least) continue;
-    least = squared;
-    k = i;
-  }
+  std::size_t k = nearest(x);
+  const double least = (x - points_[k]).squaredNorm();
   WallGap found;
   const double far = reach + longest_;
   if (least > far * far) {
@@ -49,31 +81,28 @@ WallGap RoundedWall::gapAt(const Vector2d& x, double reach) const {
     return found;
   }
 
-  // The foot: (x - c(s)) . c'(s) = 0, by Newton's method, over to the neighbour at either end.
+  // The foot: (x - c(s)) . c'(s) = 0, by Newton's method from the chord's, over to the neighbour at either
+  // end.
   Piece on = piece(k);
-  double s = 0.5;
-  Vector2d r, tangent;
+  const Vector2d chord = on.slope + on.bend / 2;
+  double s = std::clamp((x - on.start).dot(chord) / (chord.squaredNorm() + kTiny), 0.0, 1.0);
+  Vector2d r;
+  Vector2d tangent;
   for (int tries = 0, moves = 0; tries < 30; ++tries) {
     r = x - on.start - s * on.slope - s * s / 2 * on.bend;
     tangent = on.slope + s * on.bend;
     const double slope = tangent.squaredNorm() - r.dot(on.bend);
-    const double by = r.dot(tangent) / (slope > 0 ? slope : tangent.squaredNorm() + 1e-300);
-    const double to = std::clamp(s + by, 0.0, 1.0);
-    const bool isDone = std::abs(to - s) <= 1e-15;
-    if (isDone && s + by > 1 && moves < 4) {
-      k = next(k);
-      on = piece(k);
-      s = 0;
-      ++moves;
-    } else if (isDone && s + by < 0 && moves < 4) {
-      k = before(k);
-      on = piece(k);
-      s = 1;
-      ++moves;
-    } else if (isDone) {
+    const double to = s + r.dot(tangent) / (slope > 0 ? slope : tangent.squaredNorm() + kTiny);
+    const double within = std::clamp(to, 0.0, 1.0);
+    if (std::abs(within - s) > kFoot) {
+      s = within;
+    } else if (within == to || moves == kMoves) {
       break;
     } else {
-      s = to;
+      k = to > 1 ? next(k) : before(k);
+      s = to > 1 ? 0 : 1;
+      on = piece(k);
+      ++moves;
     }
   }
   const double length = tangent.norm();
@@ -90,25 +119,21 @@ WallGap RoundedWall::gapAt(const Vector2d& x, double reach) const {
   //   T = t . (dx - c_q dq),  L = -n . c_q' dq / |c'|,  kappa = n . c'' / |c'|^2
   const std::array<double, 3> weight{(1 - s) * (1 - s) / 2, 0.5 + s - s * s, s * s / 2};
   const std::array<double, 3> change{s - 1, 1 - 2 * s, s};
-  Eigen::Matrix2d by_q = Eigen::Matrix2d::Zero();
-  Eigen::Matrix2d by_q_along = Eigen::Matrix2d::Zero();
-  for (std::size_t a = 0; a < 3; ++a) {
-    Eigen::Matrix2d moved;
-    moved << outline_.diaphragm[on.points[a]], outline_.chestWall[on.points[a]];
-    by_q += weight[a] * moved;
-    by_q_along += change[a] * moved;
-  }
+  const auto sum = [&](const std::vector<Vector2d>& mode, const std::array<double, 3>& factor) -> Vector2d {
+    return factor[0] * mode[on.points[0]] + factor[1] * mode[on.points[1]] + factor[2] * mode[on.points[2]];
+  };
+  const Vector2d down = sum(outline_.diaphragm, weight);
+  const Vector2d out = sum(outline_.chestWall, weight);
   found.isNear = true;
-  found.gradient << n, -by_q.transpose() * n;
-  Vector4d along;
-  along << t, -by_q.transpose() * t;
-  Vector4d turn;
-  turn << 0, 0, -by_q_along.transpose() * n / length;
+  found.gradient = Vector4d(n.x(), n.y(), -n.dot(down), -n.dot(out));
+  const Vector4d along(t.x(), t.y(), -t.dot(down), -t.dot(out));
+  const Vector4d turn(0, 0, -n.dot(sum(outline_.diaphragm, change)) / length,
+                      -n.dot(sum(outline_.chestWall, change)) / length);
   const double kappa = n.dot(on.bend) / (length * length);
   const double m = 1 / (1 - kappa * found.gap);
-  const Matrix4d mixed = along * turn.transpose();
-  found.curvature = m * (mixed + mixed.transpose() - kappa * along * along.transpose() -
-                         found.gap * turn * turn.transpose());
+  const Vector4d mixed = turn - kappa / 2 * along;
+  found.curvature = (m * along) * mixed.transpose() + (m * mixed) * along.transpose() -
+                    (m * found.gap * turn) * turn.transpose();
   return found;
 }
 

@@ -38,12 +38,20 @@ class RoundedWall {
     std::array<std::size_t, 3> points;
     Eigen::Vector2d start, slope, bend;  // c(s) = start + slope s + bend s^2 / 2, s in [0, 1]
   };
+  /// A run of points about a middle one, for the search of the nearest.
+  struct Run {
+    std::size_t begin, end;
+    Eigen::Vector2d middle;
+    double radius;  // [m]
+  };
+  std::size_t nearest(const Eigen::Vector2d& x) const;
   Piece piece(std::size_t k) const;
   std::size_t next(std::size_t k) const { return k + 1 < points_.size() ? k + 1 : 0; }
   std::size_t before(std::size_t k) const { return k > 0 ? k - 1 : points_.size() - 1; }
 
   ChestOutline outline_;
   std::vector<Eigen::Vector2d> points_;
+  std::vector<Run> runs_;
   double longest_ = 0;  // segment [m]
 };
 
