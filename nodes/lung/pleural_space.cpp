@@ -180,14 +180,14 @@ void PleuralSpace::onInitialize() {
 
 void PleuralSpace::begin(double cavity) {
   auto& organ = *contacts.get()->organ.get();
-  step_.lung.rest = {.volume = std::abs(signedVolume(organ.rest().points, organ.rest().triangles)),
-                     .recoil = restingRecoil.getValue(id),
-                     .compliance = compliance.getValue(id)};
-  step_.lung.airwayResistance = airwayResistance.getValue(id);
+  const RestingLung atRest{.volume = std::abs(signedVolume(organ.rest().points, organ.rest().triangles)),
+                           .recoil = restingRecoil.getValue(id),
+                           .compliance = compliance.getValue(id)};
   constexpr double kMostOfRest = 2.9 / 1.15;  // TLC over FRC of men (the sigmoid's default)
   step_.lung.recoil = recoil.getValue(id) == "LINEAR"
-                          ? RecoilCurve::linear(step_.lung.rest)
-                          : RecoilCurve::sigmoid(step_.lung.rest, 0, kMostOfRest * step_.lung.rest.volume);
+                          ? RecoilCurve::linear(atRest)
+                          : RecoilCurve::sigmoid(atRest, 0, kMostOfRest * atRest.volume);
+  step_.lung.airwayResistance = airwayResistance.getValue(id);
   state_ = restingState(step_.lung, ambientPressure.getValue());
   inputs_ = {};
   inputs_.ambientPressure = ambientPressure.getValue();

@@ -22,8 +22,8 @@ class DeformableShape2 : public X3DShapeNode, public TouchableShape {
   JoinedField<MFInt32> contactIndex;
   JoinedField<MFVec3f> contactPoint;
 
-  class Deformed
-      : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, MFInt32, SFNode, SFMatrix4f, SFVec3f, SFFloat>>> {
+  class Deformed : public TypedField<MFVec3f, AnyNumber<Any<MFVec3f, MFInt32, SFNode, SFMatrix4f, SFVec3f,
+                                                            SFFloat, SFInt32, SFBool, SFString, SFTime>>> {
     void update() override { static_cast<DeformableShape2*>(getOwner())->deform(value); }
   };
   Deformed deformedCoord;

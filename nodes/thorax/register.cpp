@@ -1,5 +1,7 @@
 #include <pleura/nodes/core/plugin.h>
 #include <pleura/nodes/deformable/chainmail_deformer.h>
+#include <pleura/nodes/deformable/finite_element_deformer.h>
+#include <pleura/nodes/deformable/spring_deformer.h>
 #include <pleura/nodes/thorax/contact_points.h>
 #include <pleura/nodes/thorax/deformable_shape2.h>
 #include <pleura/nodes/thorax/diaphragm_contacts.h>
@@ -18,6 +20,7 @@ void registerThoraxNodes(NodeRegistry& registry) {
   registry.add<ContactPoints>();
   registry.add<DeformableShape2>();
   registry.add<DiaphragmContacts>();
+  registry.add<FiniteElementDeformer>();
   registry.add<FittedTransform>();
   registry.add<LungContacts>();
   registry.add<OrganDeformation>();
@@ -25,6 +28,7 @@ void registerThoraxNodes(NodeRegistry& registry) {
   registry.add<Respiration>();
   registry.add<RotTransform>();
   registry.add<SkinDeformer>();
+  registry.add<SpringDeformer>();
 }
 
 }  // namespace pleura

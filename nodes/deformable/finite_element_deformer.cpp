@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include <pleura/nodes/core/scene_context.h>
+#include <pleura/nodes/deformable/fem/corotational_solid.h>
+#include <pleura/nodes/deformable/fem/linear_solid.h>
+#include <pleura/nodes/deformable/fem/neo_hookean_solid.h>
+#include <pleura/nodes/deformable/finite_element_deformer.h>
+#include <pleura/nodes/deformable/mesh/measures.h>
+
+namespace pleura {
+
+namespace {
+
+/// A driven point's spring, of what an element resists with, E h: gives way by less than a hundredth of what
+/// the tissue does.
+constexpr double kHold = 100;
+
+SoftPoints heldBy(const Embedding& embedding, std::span<const int> driven, double stiffness) {
+  SoftPoints soft;
+  soft.stiffness = stiffness;
+  for (const int point : driven) {
+    const auto from = 8 * point;
+    soft.node.insert(soft.node.end(), embedding.nodes.begin() + from, embedding.nodes.begin() + from + 8);
+    soft.weight.insert(soft.weight.end(), embedding.weights.begin() + from,
+                       embedding.weights.begin() + from + 8);
+    soft.begin.push_back(static_cast<int>(soft.node.size()));
+  }
+  return soft;
+}
+
+std::unique_ptr<SolidSolver> solverFor(const std::string& model, const SolidMesh& mesh,
+                                       const SolidMaterial& material, const SolidConstraints& held) {
+  if (model == "LINEAR") return std::make_unique<LinearSolid>(mesh, material, held);
+  if (model == "COROTATIONAL") return std::make_unique<CorotationalSolid>(mesh, material, held);
+  if (model == "NEO_HOOKEAN") return std::make_unique<NeoHookeanSolid>(mesh, material, held);
+  throw std::invalid_argument("model is LINEAR, COROTATIONAL or NEO_HOOKEAN, not " + model);
+}
+
+}  // namespace
+
+void FiniteElementDeformer::declare(NodeType& type) {
+  DeformerNode::declare(type);
+  type.named("FiniteElementDeformer", "Pleura").means("moves an organ's points by finite elements inside it");
+  using enum Access;
+  type.field<&FiniteElementDeformer::model>("model", inputOutput, "COROTATIONAL")
+      .means("LINEAR: small rotations; COROTATIONAL: large ones; NEO_HOOKEAN: large strains, the reference");
+  type.field<&FiniteElementDeformer::elements>("elements", inputOutput, 2000)
+      .within(1, 1000000)
+      .means("cubes of the lattice, about");
+  type.field<&FiniteElementDeformer::density>("density", inputOutput, 250)
+      .measuredIn(Unit::density)
+      .positive(1e5)
+      .means("of lung tissue and the air in it");
+  type.field<&FiniteElementDeformer::youngsModulus>("youngsModulus", inputOutput, 2000)
+      .measuredIn(Unit::pressure)
+      .positive(1e12)
+      .means("E; a lung of 2 kPa has the compliance that is measured (0.1 L/cmH2O)");
+  type.field<&FiniteElementDeformer::poissonRatio>("poissonRatio", inputOutput, 0.3f)
+      .within(0, 0.4999)
+      .means("nu; near 0.5 the volume stands");
+  type.field<&FiniteElementDeformer::massDamping>("massDamping", inputOutput, 0)
+      .within(0, 1e6)
+      .means("alpha of D = alpha M + beta K [1/s]; counts where quasiStatic is FALSE");
+  type.field<&FiniteElementDeformer::stiffnessDamping>("stiffnessDamping", inputOutput, 0.05f)
+      .measuredIn(Unit::time)
+      .within(0, 1e6)
+      .means("beta of D = alpha M + beta K; counts where quasiStatic is FALSE");
+  type.field<&FiniteElementDeformer::quasiStatic>("quasiStatic", inputOutput, true)
+      .means("whether the shape is that in which all is in balance, or moves with inertia and damping");
+  type.field<&FiniteElementDeformer::elementCount>("elementCount", outputOnly, 0).means("elements made");
+  type.field<&FiniteElementDeformer::iterations>("iterations", outputOnly, 0)
+      .means("linear systems solved, or products with them, for the present shape");
+  type.field<&FiniteElementDeformer::residual>("residual", outputOnly, 0)
+      .means("forces out of balance over those at the start");
+  type.field<&FiniteElementDeformer::converged>("converged", outputOnly, true)
+      .means("whether the present shape is the answer; if not, it is the last that was good");
+}
+
+std::vector<Field*> FiniteElementDeformer::inputs() {
+  std::vector<Field*> fields{&model,        &elements,    &density,          &youngsModulus,
+                             &poissonRatio, &massDamping, &stiffnessDamping, &quasiStatic};
+  if (!quasiStatic.getValue()) fields.push_back(&context().time);
+  return fields;
+}
+
+void FiniteElementDeformer::setRest(const TriangleMesh& rest, std::span<const int> /*rigidPoints*/) {
+  rest_ = rest;
+  lattice_.reset();
+  solver_.reset();
+  makeLattice();
+}
+
+void FiniteElementDeformer::makeLattice() {
+  latticeStamp_ = elements.getStamp();
+  lattice_ = pleura::makeLattice(rest_, {.elements = elements.getValue()});
+  embedding_ = embed(*lattice_, rest_.points);
+  points_.resize(rest_.points.size());
+  solver_.reset();
+  elementCount.setValue(lattice_->report.elements, id);
+  for (const std::string& finding : findings(lattice_->report)) context().warn(*this, finding);
+}
+
+void FiniteElementDeformer::makeSolver(std::span<const int> driven) {
+  solver_.reset();
+  driven_.assign(driven.begin(), driven.end());
+  const SolidMaterial material{.density = density.getValue(),
+                               .youngsModulus = youngsModulus.getValue(),
+                               .poissonRatio = poissonRatio.getValue(),
+                               .massDamping = massDamping.getValue(),
+                               .stiffnessDamping = stiffnessDamping.getValue()};
+  const double hold = kHold * material.youngsModulus * lattice_->report.cellSize;
+  solver_ = solverFor(model.getValue(), lattice_->solid, material,
+                      {.fixed = {}, .soft = heldBy(embedding_, driven, hold)});
+  atRest_ = solver_->state();
+  time_ = context().time.getValue();
+  targets_.resize(driven.size());
+}
+
+void FiniteElementDeformer::solve(std::span<const int> driven, std::span<const Vec3f> targets) {
+  std::uint64_t stamp = 0;
+  for (Field* input : inputs())
+    if (input != &context().time) stamp = std::max(stamp, input->getStamp());
+  if (elements.getStamp() != latticeStamp_) makeLattice();
+  if (!solver_ || stamp != solverStamp_ ||
+      !std::equal(driven.begin(), driven.end(), driven_.begin(), driven_.end()))
+    makeSolver(driven);
+  solverStamp_ = stamp;
+  for (std::size_t i = 0; i < targets.size(); ++i) targets_[i] = targets[i].cast<double>();
+  double h = std::numeric_limits<double>::infinity();
+  if (quasiStatic.getValue()) {
+    solver_->setState(atRest_);
+  } else {
+    h = context().time.getValue() - time_;
+    time_ = context().time.getValue();
+    if (h <= 0) return;
+  }
+  const SolidReport report = solver_->step(h, {.targets = targets_});
+  iterations.setValue(report.iterations, id);
+  residual.setValue(static_cast<float>(report.residual), id);
+  converged.setValueIfChanged(report.converged(), id);
+  if (!report.converged()) context().warn(*this, "a shape was not found: it is the last that was good");
+}
+
+void FiniteElementDeformer::deform(std::span<const int> driven, std::span<const Vec3f> targets,
+                                   std::span<Vec3f> positions) {
+  requireFinite(targets);
+  if (!lattice_) makeLattice();
+  if (driven.empty()) return void(std::copy(rest_.points.begin(), rest_.points.end(), positions.begin()));
+  solve(driven, targets);
+  interpolate(embedding_, solver_->state().position, points_);
+  std::transform(points_.begin(), points_.end(), positions.begin(),
+                 [](const Eigen::Vector3d& p) { return Vec3f(p.cast<float>()); });
+  for (std::size_t i = 0; i < driven.size(); ++i) positions[static_cast<std::size_t>(driven[i])] = targets[i];
+}
+
+}  // namespace pleura

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <pleura/nodes/deformable/deformer_node.h>
+#include <pleura/nodes/deformable/fem/embedding.h>
+#include <pleura/nodes/deformable/fem/solid_solver.h>
+
+namespace pleura {
+
+/// Finite elements in a lattice of cubes inside the shape: linear, corotational or stable Neo-Hookean
+/// elasticity (fem/). Driven points are held by stiff springs, and then put exactly where they are to be.
+/// Static answers have no memory; with quasiStatic FALSE the shape moves by backward Euler, with inertia and
+/// damping, as the scene's time does.
+class FiniteElementDeformer : public DeformerNode {
+ public:
+  SFString model;
+  SFInt32 elements;
+  SFFloat density;
+  SFFloat youngsModulus;
+  SFFloat poissonRatio;
+  SFFloat massDamping;
+  SFFloat stiffnessDamping;
+  SFBool quasiStatic;
+
+  SFInt32 elementCount;
+  SFInt32 iterations;
+  SFFloat residual;
+  SFBool converged;
+
+  void setRest(const TriangleMesh& rest, std::span<const int> rigidPoints) override;
+  void deform(std::span<const int> driven, std::span<const Vec3f> targets,
+              std::span<Vec3f> positions) override;
+  std::vector<Field*> inputs() override;
+
+  static void declare(NodeType& type);
+
+ private:
+  void makeLattice();
+  void makeSolver(std::span<const int> driven);
+  void solve(std::span<const int> driven, std::span<const Vec3f> targets);
+
+  TriangleMesh rest_;
+  std::optional<Lattice> lattice_;
+  Embedding embedding_;
+  std::unique_ptr<SolidSolver> solver_;
+  std::vector<int> driven_;  // that the solver was made for
+  std::uint64_t latticeStamp_ = 0, solverStamp_ = 0;
+  SolidState atRest_;
+  Time time_ = 0;
+  // Work space.
+  std::vector<Eigen::Vector3d> targets_, points_;
+};
+
+}  // namespace pleura
