@@ -28,5 +28,6 @@ void addPlayCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRunCommand(CLI::App& app);
 void addDemoCommand(CLI::App& app);
+void addTradeoffCommand(CLI::App& app);
 
 }  // namespace pleura

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   pleura::addAnatomyCommand(app);
   pleura::addNodesCommand(app);
   pleura::addDemoCommand(app);
+  pleura::addTradeoffCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& answered) {  // --help, --version

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include <pleura/x3d/browser/commands/commands.h>
+#include <pleura/x3d/browser/commands/number_in.h>
+#include <pleura/x3d/browser/commands/progress.h>
+#include <pleura/x3d/browser/commands/scene_options.h>
+#include <pleura/x3d/browser/scene/state_hash.h>
+#include <pleura/x3d/browser/tradeoff/advice.h>
+#include <pleura/x3d/browser/tradeoff/chart.h>
+#include <pleura/x3d/browser/tradeoff/shape_file.h>
+#include <pleura/x3d/browser/tradeoff/tier_run.h>
+#include <pleura/x3d/browser/view/offscreen_view.h>
+
+namespace pleura {
+
+namespace {
+
+struct Options : SceneOptions {
+  std::filesystem::path output;
+  double seconds = 4;
+  int moments = 4;
+  int elements = 250;
+};
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw Fault(file.string() + ": can't be written");
+}
+
+void drawChart(const std::vector<TierFigures>& figures, const std::filesystem::path& folder) {
+  write(folder / "tradeoff.svg", chartAsSvg(figures));
+  const auto scenePath = folder / "tradeoff.x3d";
+  write(scenePath, chartAsScene(figures));
+  Scene chart;
+  chart.load(scenePath);
+  chart.tick(0);
+  constexpr int kWidth = 1200;
+  OffscreenView view(chart, kWidth, static_cast<int>(kWidth * chartAspect(figures)));
+  render::writePng(view.picture(), folder / "tradeoff.png");
+}
+
+using Shapes = std::vector<std::vector<Vec3f>>;
+
+/// One scene's breath through all tiers.
+class Comparison {
+ public:
+  Comparison(Scene& scene, const Options& options)
+      : scene_(scene),
+        options_(options),
+        breaths_(recordBreath(scene, options.seconds, options.moments)),
+        table_(options.output / "tradeoff.csv",
+               fmt::format("{} for {} s, {} moments, {} elements, state {}", options.file.filename().string(),
+                           options.seconds, options.moments, options.elements, stateHash(scene))) {
+    if (breaths_.empty())
+      throw Fault(options.file.string() +
+                  ": names no contacts of an organ (LungContacts, DiaphragmContacts)");
+  }
+
+  const FigureTable& run() {
+    for (const OrganBreath& breath : breaths_) {
+      const Shapes reference = referenceOf(breath);
+      for (const auto& tier : deformationTiers(options_.elements)) measure(breath, tier, reference);
+    }
+    return table_;
+  }
+
+ private:
+  TierRun runWithProgress(const OrganBreath& breath, const DeformationTier& tier) {
+    Progress progress(fmt::format("{}, {}", breath.organ, tier.name()));
+    return runTier(scene_, breath, tier, [&progress](double done) { progress.show(done); });
+  }
+
+  /// Two levels finer than the coarsest lattice; kept in a file, since it takes longest.
+  Shapes referenceOf(const OrganBreath& breath) {
+    const auto tier = referenceTier(64 * options_.elements);
+    const auto file = options_.output / (breath.organ + "_reference.bin");
+    if (table_.has(breath.organ, tier.method, tier.elements))
+      if (auto kept = readShapes(file, breath.moments.size(), breath.rest.points.size())) return *kept;
+    const TierRun run = runWithProgress(breath, tier);
+    writeShapes(file, run.shapes);
+    if (!table_.has(breath.organ, tier.method, tier.elements)) table_.add(run.figures);
+    return run.shapes;
+  }
+
+  void measure(const OrganBreath& breath, const DeformationTier& tier, const Shapes& reference) {
+    if (table_.has(breath.organ, tier.method, tier.elements)) return;
+    TierRun run;
+    try {
+      run = runWithProgress(breath, tier);
+    } catch (const std::invalid_argument& refused) {
+      return fmt::print(stderr, "{}, {}: left out: {}\n", breath.organ, tier.name(), refused.what());
+    }
+    run.figures.error = shapeError(run.shapes, reference, breath.rest.triangles);
+    for (const OrganBreath& other : breaths_) measureBeside(breath, other, run);
+    table_.add(run.figures);
+  }
+
+  /// Lungs are closed, the diaphragm lies beside them; what is not measured is as the contacts have it.
+  static void measureBeside(const OrganBreath& breath, const OrganBreath& other, TierRun& run) {
+    const auto isLung = [](const OrganBreath& organ) { return organ.organ.starts_with("LUNG"); };
+    if (isLung(breath) == isLung(other)) return;
+    Shapes filled;
+    for (const auto& moment : other.moments) filled.push_back(moment.filled);
+    if (isLung(breath)) {
+      measureContact({breath.rest, other.rest.points}, run.shapes, filled, run.figures.error);
+    } else {
+      measureContact({other.rest, breath.rest.points}, filled, run.shapes, run.figures.error);
+    }
+  }
+
+  Scene& scene_;
+  const Options& options_;
+  std::vector<OrganBreath> breaths_;
+  FigureTable table_;
+};
+
+void compare(const Options& options) {
+  std::filesystem::create_directories(options.output);
+  const auto scene = options.load();
+  for (const auto& assignment : options.playback.set) scene->set(assignment);
+  const FigureTable& table = Comparison(*scene, options).run();
+  drawChart(table.all(), options.output);
+  const std::string text = advice(table.all());
+  write(options.output / "advice.txt", text + "\n");
+  fmt::print("{}\n{}: tradeoff.csv, tradeoff.svg, tradeoff.png, advice.txt\n", text, options.output.string());
+}
+
+}  // namespace
+
+void addTradeoffCommand(CLI::App& app) {
+  auto* command =
+      app.add_subcommand("tradeoff", "Measure error against cost for every way to deform an organ");
+  const auto options = std::make_shared<Options>();
+  options->addTo(*command);
+  command
+      ->add_option("-o,--output", options->output,
+                   "Folder for chart, table and advice; work that was interrupted goes on there")
+      ->required();
+  command->add_option("--for", options->seconds, "Seconds of a breath")->check(numberIn(1e-3, 1e3));
+  command->add_option("--moments", options->moments, "Moments of the breath")->check(numberIn(1, 1000));
+  command
+      ->add_option("--elements", options->elements,
+                   "Elements of the coarsest lattice; the reference has 64 times as many")
+      ->check(numberIn(8, 10000));
+  command->callback([options] { compare(*options); });
+}
+
+}  // namespace pleura

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pleura {
+
+/// A way to deform an organ: a deformer node and its fields.
+struct DeformationTier {
+  std::string method;  // "ChainMail", "linear FEM", ...
+  std::string node;    // type; empty: the smooth fill of the contacts themselves
+  std::vector<std::pair<std::string, std::string>> fields;
+  int elements = 0;  // of a lattice; 0: none
+
+  std::string name() const { return elements > 0 ? method + " " + std::to_string(elements) : method; }
+};
+
+/// The cheap ones first; lattices of `coarse` elements and of eight times as many.
+std::vector<DeformationTier> deformationTiers(int coarse);
+
+/// What all are measured against: stable Neo-Hookean, that many elements.
+DeformationTier referenceTier(int elements);
+
+}  // namespace pleura
