@@ -16,7 +16,7 @@ double sagOfCube(int n, int nodesPerElement) {
   const SolidReport report = solid.step(kStatic, {.forces = forces});
   EXPECT_TRUE(report.converged());
   EXPECT_LT(report.residual, 1e-9);
-  return -solid.state().position[static_cast<std::size_t>(n)].z();
+  return -solid.state().position[n].z();
 }
 
 TEST(LinearSolid, CubeSinksUnderItsOwnWeight) {
