@@ -27,18 +27,18 @@ std::vector<std::vector<int>> symbolicFactor(const std::vector<std::vector<int>>
   std::vector<std::vector<int>> below(adjacent.size()), children(adjacent.size());
   std::vector<int> mark(adjacent.size(), -1);
   for (int j = 0; j < n; ++j) {
-    auto& rows = below[at(j)];
+    auto& rows = below[j];
     const auto add = [&](int i) {
-      if (i > j && mark[at(i)] != j) {
-        mark[at(i)] = j;
+      if (i > j && mark[i] != j) {
+        mark[i] = j;
         rows.push_back(i);
       }
     };
-    for (const int i : adjacent[at(j)]) add(i);
-    for (const int child : children[at(j)])
-      for (const int i : below[at(child)]) add(i);
+    for (const int i : adjacent[j]) add(i);
+    for (const int child : children[j])
+      for (const int i : below[child]) add(i);
     std::sort(rows.begin(), rows.end());
-    if (!rows.empty()) children[at(rows.front())].push_back(j);
+    if (!rows.empty()) children[rows.front()].push_back(j);
   }
   return below;
 }
@@ -48,10 +48,10 @@ std::vector<int> eliminationTree(const std::vector<std::vector<int>>& adjacent) 
   const int n = static_cast<int>(adjacent.size());
   std::vector<int> parent(adjacent.size(), -1), ancestor(adjacent.size(), -1);
   for (int j = 0; j < n; ++j)
-    for (int i : adjacent[at(j)])
+    for (int i : adjacent[j])
       while (i < j) {
-        const int next = std::exchange(ancestor[at(i)], j);
-        if (next < 0) parent[at(i)] = j;
+        const int next = std::exchange(ancestor[i], j);
+        if (next < 0) parent[i] = j;
         if (next < 0 || next == j) break;
         i = next;
       }
@@ -62,13 +62,13 @@ std::vector<int> eliminationTree(const std::vector<std::vector<int>>& adjacent) 
 std::vector<int> postorder(const std::vector<int>& parent) {
   const int n = static_cast<int>(parent.size());
   std::vector<std::vector<int>> children(parent.size() + 1);
-  for (int j = 0; j < n; ++j) children[at(parent[at(j)] < 0 ? n : parent[at(j)])].push_back(j);
+  for (int j = 0; j < n; ++j) children[parent[j] < 0 ? n : parent[j]].push_back(j);
   std::vector<int> order, stack{n};
   while (!stack.empty()) {
     const int j = stack.back();
     stack.pop_back();
     order.push_back(j);
-    for (const int child : children[at(j)]) stack.push_back(child);
+    for (const int child : children[j]) stack.push_back(child);
   }
   std::reverse(order.begin(), order.end());
   order.pop_back();  // n, which stands for no column
@@ -79,11 +79,11 @@ std::vector<std::vector<int>> adjacencyOf(const BlockPattern& pattern, std::span
                                           std::size_t count) {
   std::vector<std::vector<int>> adjacent(count);
   for (int i = 0; i < pattern.rowCount(); ++i)
-    for (int slot = pattern.begin[at(i)] + 1; slot < pattern.begin[at(i) + 1]; ++slot) {
-      const int p = positionOf[at(i)], q = positionOf[at(pattern.column[at(slot)])];
+    for (int slot = pattern.begin[i] + 1; slot < pattern.begin[i + 1]; ++slot) {
+      const int p = positionOf[i], q = positionOf[pattern.column[slot]];
       if (p < 0 || q < 0) continue;
-      adjacent[at(p)].push_back(q);
-      adjacent[at(q)].push_back(p);
+      adjacent[p].push_back(q);
+      adjacent[q].push_back(p);
     }
   return adjacent;
 }
@@ -93,7 +93,7 @@ std::vector<int> minimumDegree(const std::vector<std::vector<int>>& adjacent) {
   std::vector<Eigen::Triplet<float>> links;
   for (int i = 0; i < n; ++i) {
     links.emplace_back(i, i, 1.f);
-    for (const int j : adjacent[at(i)]) links.emplace_back(i, j, 1.f);
+    for (const int j : adjacent[i]) links.emplace_back(i, j, 1.f);
   }
   Eigen::SparseMatrix<float> graph(n, n);
   graph.setFromTriplets(links.begin(), links.end());
@@ -110,10 +110,10 @@ std::vector<int> supernodesOf(const std::vector<std::vector<int>>& below) {
   std::vector<long> zeros;
   const auto merge = [&](int last) {  // the last two supernodes, of which the second ends before `last`
     const int b = firsts.back(), a = firsts[firsts.size() - 2];
-    if (below[at(b) - 1].empty() || below[at(b) - 1].front() != b) return false;
+    if (below[b - 1].empty() || below[b - 1].front() != b) return false;
     const long merged = b - a, tail = last - b;
-    const long rowsA = static_cast<long>(below[at(b) - 1].size());
-    const long rowsB = static_cast<long>(below[at(last) - 1].size());
+    const long rowsA = static_cast<long>(below[b - 1].size());
+    const long rowsB = static_cast<long>(below[last - 1].size());
     const long added = merged * (tail + rowsB - rowsA);
     const long kept = zeros.back() + zeros[zeros.size() - 2] + added;
     const long width = merged + tail;
@@ -125,8 +125,8 @@ std::vector<int> supernodesOf(const std::vector<std::vector<int>>& below) {
     return true;
   };
   for (int j = 0; j < n; ++j) {
-    const bool isChain = j > 0 && !below[at(j) - 1].empty() && below[at(j) - 1].front() == j &&
-                         below[at(j) - 1].size() == below[at(j)].size() + 1;
+    const bool isChain = j > 0 && !below[j - 1].empty() && below[j - 1].front() == j &&
+                         below[j - 1].size() == below[j].size() + 1;
     if (isChain) continue;
     while (firsts.size() > 1 && merge(j)) continue;
     firsts.push_back(j);
@@ -140,14 +140,14 @@ std::vector<int> supernodesOf(const std::vector<std::vector<int>>& below) {
 
 BlockCholesky::BlockCholesky(const BlockPattern& pattern, std::span<const int> unknowns)
     : _node(unknowns.begin(), unknowns.end()) {
-  std::vector<int> positionOf(at(pattern.rowCount()), -1);
+  std::vector<int> positionOf(pattern.rowCount(), -1);
   const auto adjacent = [&] {
-    for (std::size_t p = 0; p < _node.size(); ++p) positionOf[at(_node[p])] = static_cast<int>(p);
+    for (std::size_t p = 0; p < _node.size(); ++p) positionOf[_node[p]] = static_cast<int>(p);
     return adjacencyOf(pattern, positionOf, _node.size());
   };
   const auto reorder = [&](const std::vector<int>& order) {
     std::vector<int> node;
-    for (const int p : order) node.push_back(_node[at(p)]);
+    for (const int p : order) node.push_back(_node[p]);
     _node = node;
   };
   reorder(minimumDegree(adjacent()));
@@ -164,11 +164,11 @@ void BlockCholesky::layOut(const std::vector<std::vector<int>>& below, std::span
   _supernode.resize(_node.size());
   for (std::size_t k = 0; k < firsts.size(); ++k) {
     const int first = firsts[k], last = k + 1 < firsts.size() ? firsts[k + 1] : n;
-    const auto& rows = below[at(last) - 1];
+    const auto& rows = below[last - 1];
     _supernodes.push_back({first, last, static_cast<int>(_rows.size()), static_cast<int>(rows.size()), size});
     _rows.insert(_rows.end(), rows.begin(), rows.end());
     std::fill(_supernode.begin() + first, _supernode.begin() + last, static_cast<int>(k));
-    const auto width = at(last - first);
+    const std::size_t width = last - first;
     size += 9 * width * (width + rows.size());
     mostRows = std::max(mostRows, 3 * static_cast<int>(rows.size()));
   }
@@ -182,11 +182,11 @@ void BlockCholesky::layOut(const std::vector<std::vector<int>>& below, std::span
 
 void BlockCholesky::placeEntries(const BlockPattern& pattern, std::span<const int> positionOf) {
   for (int i = 0; i < pattern.rowCount(); ++i)
-    for (int slot = pattern.begin[at(i)]; slot < pattern.begin[at(i) + 1]; ++slot) {
-      const int p = positionOf[at(i)], q = positionOf[at(pattern.column[at(slot)])];
+    for (int slot = pattern.begin[i]; slot < pattern.begin[i + 1]; ++slot) {
+      const int p = positionOf[i], q = positionOf[pattern.column[slot]];
       if (p < 0 || q < 0) continue;
       const auto [column, row] = std::minmax(p, q);
-      const Supernode& s = _supernodes[at(_supernode[at(column)])];
+      const Supernode& s = _supernodes[_supernode[column]];
       const int width = s.last - s.first;
       int place = row - s.first;
       if (row >= s.last) {
@@ -205,12 +205,12 @@ bool BlockCholesky::factorise(const BlockPattern& pattern, const BlockValues& va
   for (const Entry& entry : _entries) {
     Panel block(&_panels[entry.offset], 3, 3, Eigen::OuterStride<>(entry.stride));
     if (entry.slot >= 0)
-      block = values[at(entry.slot)];
+      block = values[entry.slot];
     else
-      block = values[at(~entry.slot)].transpose();
+      block = values[~entry.slot].transpose();
   }
   for (std::size_t p = 0; p < _node.size(); ++p)
-    Eigen::Vector3d::Map(&_diagonal[3 * p]) = values[at(pattern.begin[at(_node[p])])].diagonal();
+    Eigen::Vector3d::Map(&_diagonal[3 * p]) = values[pattern.begin[_node[p]]].diagonal();
   for (const Supernode& s : _supernodes) {
     if (!factorisePanel(s)) return false;
     updateAncestors(s);
@@ -225,9 +225,9 @@ bool BlockCholesky::factorisePanel(const Supernode& s) {
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>> llt(diagonal);
   if (llt.info() != Eigen::Success) return false;
   for (int i = 0; i < width; ++i)
-    if (diagonal(i, i) * diagonal(i, i) <= kSmallestPivot * _diagonal[at(3 * s.first + i)]) return false;
+    if (diagonal(i, i) * diagonal(i, i) <= kSmallestPivot * _diagonal[3 * s.first + i]) return false;
   if (below > 0) {
-    Panel rows(&_panels[s.panel + at(width)], below, width, stride);
+    Panel rows(&_panels[s.panel + width], below, width, stride);
     diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rows);
   }
   return true;
@@ -236,28 +236,28 @@ bool BlockCholesky::factorisePanel(const Supernode& s) {
 void BlockCholesky::updateAncestors(const Supernode& s) {
   if (s.rowCount == 0) return;
   const int width = 3 * (s.last - s.first), below = 3 * s.rowCount;
-  const ConstPanel rows(&_panels[s.panel + at(width)], below, width, Eigen::OuterStride<>(width + below));
+  const ConstPanel rows(&_panels[s.panel + width], below, width, Eigen::OuterStride<>(width + below));
   Eigen::Map<Eigen::MatrixXd> update(_update.data(), below, below);
   update.triangularView<Eigen::Lower>() = rows * rows.transpose();
-  const int* row = &_rows[at(s.rows)];
+  const int* row = &_rows[s.rows];
   for (int j = 0; j < s.rowCount;) {
-    const Supernode& a = _supernodes[at(_supernode[at(row[j])])];
+    const Supernode& a = _supernodes[_supernode[row[j]]];
     const int widthA = a.last - a.first, stride = 3 * (widthA + a.rowCount);
-    for (int p = a.first; p < a.last; ++p) _place[at(p)] = p - a.first;
-    for (int i = 0; i < a.rowCount; ++i) _place[at(_rows[at(a.rows + i)])] = widthA + i;
+    for (int p = a.first; p < a.last; ++p) _place[p] = p - a.first;
+    for (int i = 0; i < a.rowCount; ++i) _place[_rows[a.rows + i]] = widthA + i;
     for (; j < s.rowCount && row[j] < a.last; ++j)
       for (int c = 0; c < 3; ++c) {
         double* to = &_panels[a.panel + at(3 * (row[j] - a.first) + c) * at(stride)];
         const double* from = &_update[at(3 * j + c) * at(below)];
         for (int i = j; i < s.rowCount; ++i)
-          for (int k = 0; k < 3; ++k) to[3 * _place[at(row[i])] + k] -= from[3 * i + k];
+          for (int k = 0; k < 3; ++k) to[3 * _place[row[i]] + k] -= from[3 * i + k];
       }
   }
 }
 
 void BlockCholesky::solve(const NodeVectors& b, NodeVectors& x) {
   for (std::size_t p = 0; p < _node.size(); ++p)
-    _x.segment<3>(static_cast<Eigen::Index>(3 * p)) = b[at(_node[p])];
+    _x.segment<3>(static_cast<Eigen::Index>(3 * p)) = b[_node[p]];
   for (const Supernode& s : _supernodes) {  // L y = b
     const int width = 3 * (s.last - s.first), below = 3 * s.rowCount;
     const Eigen::OuterStride<> stride(width + below);
@@ -265,8 +265,8 @@ void BlockCholesky::solve(const NodeVectors& b, NodeVectors& x) {
     ConstPanel(&_panels[s.panel], width, width, stride).triangularView<Eigen::Lower>().solveInPlace(top);
     if (below == 0) continue;
     auto sum = _gathered.head(below);
-    sum.noalias() = ConstPanel(&_panels[s.panel + at(width)], below, width, stride) * top;
-    for (int i = 0; i < s.rowCount; ++i) _x.segment<3>(3 * _rows[at(s.rows + i)]) -= sum.segment<3>(3 * i);
+    sum.noalias() = ConstPanel(&_panels[s.panel + width], below, width, stride) * top;
+    for (int i = 0; i < s.rowCount; ++i) _x.segment<3>(3 * _rows[s.rows + i]) -= sum.segment<3>(3 * i);
   }
   for (auto s = _supernodes.rbegin(); s != _supernodes.rend(); ++s) {  // L^T x = y
     const int width = 3 * (s->last - s->first), below = 3 * s->rowCount;
@@ -275,9 +275,8 @@ void BlockCholesky::solve(const NodeVectors& b, NodeVectors& x) {
     if (below > 0) {
       auto gathered = _gathered.head(below);
       for (int i = 0; i < s->rowCount; ++i)
-        gathered.segment<3>(3 * i) = _x.segment<3>(3 * _rows[at(s->rows + i)]);
-      top.noalias() -=
-          ConstPanel(&_panels[s->panel + at(width)], below, width, stride).transpose() * gathered;
+        gathered.segment<3>(3 * i) = _x.segment<3>(3 * _rows[s->rows + i]);
+      top.noalias() -= ConstPanel(&_panels[s->panel + width], below, width, stride).transpose() * gathered;
     }
     ConstPanel(&_panels[s->panel], width, width, stride)
         .transpose()
@@ -286,7 +285,7 @@ void BlockCholesky::solve(const NodeVectors& b, NodeVectors& x) {
   }
   std::fill(x.begin(), x.end(), Eigen::Vector3d::Zero());
   for (std::size_t p = 0; p < _node.size(); ++p)
-    x[at(_node[p])] = _x.segment<3>(static_cast<Eigen::Index>(3 * p));
+    x[_node[p]] = _x.segment<3>(static_cast<Eigen::Index>(3 * p));
 }
 
 }  // namespace pleura

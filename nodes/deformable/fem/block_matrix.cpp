@@ -6,7 +6,7 @@ namespace pleura {
 
 int BlockPattern::slot(int i, int j) const {
   const auto [row, col] = std::minmax(i, j);
-  const auto from = column.begin() + begin[static_cast<std::size_t>(row)];
+  const auto from = column.begin() + begin[row];
   const auto to = column.begin() + begin[static_cast<std::size_t>(row) + 1];
   const int slot = static_cast<int>(std::lower_bound(from, to, col) - column.begin());
   return i <= j ? slot : ~slot;
@@ -14,13 +14,13 @@ int BlockPattern::slot(int i, int j) const {
 
 BlockPattern makeBlockPattern(int nodeCount, std::span<const int> begin, std::span<const int> node) {
   std::vector<std::vector<int>> rows(static_cast<std::size_t>(nodeCount));
-  for (int i = 0; i < nodeCount; ++i) rows[static_cast<std::size_t>(i)].push_back(i);
+  for (int i = 0; i < nodeCount; ++i) rows[i].push_back(i);
   for (std::size_t g = 0; g + 1 < begin.size(); ++g) {
     const auto group =
         node.subspan(static_cast<std::size_t>(begin[g]), static_cast<std::size_t>(begin[g + 1] - begin[g]));
     for (const int i : group)
       for (const int j : group)
-        if (i < j) rows[static_cast<std::size_t>(i)].push_back(j);
+        if (i < j) rows[i].push_back(j);
   }
   BlockPattern pattern;
   pattern.begin.push_back(0);

@@ -37,9 +37,9 @@ using BlockValues = std::vector<Eigen::Matrix3d>;
 /// Adds a block where BlockPattern::slot says.
 inline void addBlock(BlockValues& values, int slot, const Eigen::Matrix3d& block) {
   if (slot >= 0)
-    values[static_cast<std::size_t>(slot)] += block;
+    values[slot] += block;
   else
-    values[static_cast<std::size_t>(~slot)] += block.transpose();
+    values[~slot] += block.transpose();
 }
 
 /// y = A x.

@@ -13,8 +13,6 @@ namespace {
 constexpr std::size_t kMostNodes = 8;
 constexpr std::size_t kMostPoints = 8;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 CorotationalSolid::CorotationalSolid(const SolidMesh& mesh, const SolidMaterial& material,
@@ -46,25 +44,24 @@ double CorotationalSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
       const int q = e * points + k;
       const Eigen::Vector3d* g = elements.gradientsAt(q);
       Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
-      for (int a = 1; a < n; ++a) F += (x[at(node[a])] - x[at(node[0])]) * g[a].transpose();
+      for (int a = 1; a < n; ++a) F += (x[node[a]] - x[node[0]]) * g[a].transpose();
       const Eigen::Matrix3d R = nearestRotation(F);
-      const double w = elements.weight[at(q)];
-      stretch[at(k)] = F - R;
-      theta[at(k)] = R.cwiseProduct(stretch[at(k)]).sum();
+      const double w = elements.weight[q];
+      stretch[k] = F - R;
+      theta[k] = R.cwiseProduct(stretch[k]).sum();
       volume += w;
-      mean += w * theta[at(k)];
-      energy += w * mu * (stretch[at(k)].squaredNorm() - theta[at(k)] * theta[at(k)] / 3);
-      _rotation[at(q)] = R;
+      mean += w * theta[k];
+      energy += w * mu * (stretch[k].squaredNorm() - theta[k] * theta[k] / 3);
+      _rotation[q] = R;
     }
     mean /= volume;
     energy += volume * (0.5 * lambda + mu / 3) * mean * mean;
     for (int k = 0; k < points; ++k) {
       const int q = e * points + k;
       const Eigen::Vector3d* g = elements.gradientsAt(q);
-      const double pressure = (lambda + 2. / 3 * mu) * mean - 2. / 3 * mu * theta[at(k)];
-      const Eigen::Matrix3d P =
-          elements.weight[at(q)] * (2 * mu * stretch[at(k)] + pressure * _rotation[at(q)]);
-      for (int a = 0; a < n; ++a) forces[at(node[a])] -= P * g[a];
+      const double pressure = (lambda + 2. / 3 * mu) * mean - 2. / 3 * mu * theta[k];
+      const Eigen::Matrix3d P = elements.weight[q] * (2 * mu * stretch[k] + pressure * _rotation[q]);
+      for (int a = 0; a < n; ++a) forces[node[a]] -= P * g[a];
     }
   }
   return energy;
@@ -82,24 +79,22 @@ void CorotationalSolid::assemble(BlockValues& K) {
     double volume = 0;
     for (int k = 0; k < points; ++k) {
       const int q = e * points + k;
-      const double w = elements.weight[at(q)];
+      const double w = elements.weight[q];
       volume += w;
       for (int a = 0; a < n; ++a) {
-        turned[at(k)][at(a)] = _rotation[at(q)] * elements.gradientsAt(q)[a];
-        mean[at(a)] += w * turned[at(k)][at(a)];
-        _nodeRotation[at(node[a])] += w * _rotation[at(q)];
+        turned[k][a] = _rotation[q] * elements.gradientsAt(q)[a];
+        mean[a] += w * turned[k][a];
+        _nodeRotation[node[a]] += w * _rotation[q];
       }
     }
-    for (int a = 0; a < n; ++a) mean[at(a)] /= volume;
-    const int* slot = &_body.elementSlots[at(e * n * (n + 1) / 2)];
+    for (int a = 0; a < n; ++a) mean[a] /= volume;
+    const int* slot = &_body.elementSlots[e * n * (n + 1) / 2];
     for (int k = 0; k < points; ++k) {
-      const double w = elements.weight[at(e * points + k)];
+      const double w = elements.weight[e * points + k];
       const int* next = slot;
       for (int a = 0; a < n; ++a)
         for (int b = a; b < n; ++b)
-          addBlock(K, *next++,
-                   stiffnessBlock(_body.lame, w, turned[at(k)][at(a)], turned[at(k)][at(b)], mean[at(a)],
-                                  mean[at(b)]));
+          addBlock(K, *next++, stiffnessBlock(_body.lame, w, turned[k][a], turned[k][b], mean[a], mean[b]));
     }
   }
   for (auto& R : _nodeRotation) R = nearestRotation(R);
@@ -107,7 +102,7 @@ void CorotationalSolid::assemble(BlockValues& K) {
 
 bool CorotationalSolid::prepare(double h) {
   // The tangent at rest, whose rotations are none; those of the state come back after.
-  BlockValues tangent(at(_body.pattern.slotCount()), Eigen::Matrix3d::Zero());
+  BlockValues tangent(_body.pattern.slotCount(), Eigen::Matrix3d::Zero());
   auto rotation = std::vector<Eigen::Matrix3d>(_rotation.size(), Eigen::Matrix3d::Identity());
   std::swap(rotation, _rotation);
   assemble(tangent);
@@ -115,14 +110,14 @@ bool CorotationalSolid::prepare(double h) {
   addSoftStiffness(_body, tangent);
   for (auto& block : tangent) block *= 1 + _body.stiffnessDamping / h;
   for (std::size_t i = 0; i < _body.mass.size(); ++i)
-    tangent[at(_body.pattern.begin[i])].diagonal().array() += (1 / h + _body.massDamping) / h * _body.mass[i];
+    tangent[_body.pattern.begin[i]].diagonal().array() += (1 / h + _body.massDamping) / h * _body.mass[i];
   return _factor.factorise(_body.pattern, tangent);
 }
 
 void CorotationalSolid::precondition(const NodeVectors& r, NodeVectors& z) {
   for (std::size_t i = 0; i < r.size(); ++i) z[i] = _nodeRotation[i].transpose() * r[i];
   _factor.solve(z, z);
-  for (auto i : _body.unknowns) z[at(i)] = _nodeRotation[at(i)] * z[at(i)];
+  for (auto i : _body.unknowns) z[i] = _nodeRotation[i] * z[i];
 }
 
 bool CorotationalSolid::solve(const BlockValues& A, const NodeVectors& b, NodeVectors& d, int& iterations) {
@@ -135,7 +130,7 @@ bool CorotationalSolid::solve(const BlockValues& A, const NodeVectors& b, NodeVe
   double rz = flat(_r).dot(flat(_z));
   for (int i = 0; i < _options.linearIterations; ++i) {
     multiply(_body.pattern, A, _p, _Ap);
-    for (const auto& c : _body.couplings) _Ap[at(c.fixed)].setZero();
+    for (const auto& c : _body.couplings) _Ap[c.fixed].setZero();
     ++iterations;
     const double curvature = flat(_p).dot(flat(_Ap));
     if (curvature <= 0) break;  // rounding, the tangent being semidefinite

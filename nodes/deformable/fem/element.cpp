@@ -49,9 +49,8 @@ Gradients referenceGradients(int nodesPerElement, const Eigen::Vector3d& xi) {
   for (int a = 0; a < 8; ++a) {
     const Eigen::Vector3d corner((a & 1) ? 1 : -1, (a & 2) ? 1 : -1, (a & 4) ? 1 : -1);
     const Eigen::Vector3d factor = 0.5 * (Eigen::Vector3d::Ones() + corner.cwiseProduct(xi));
-    gradients[static_cast<std::size_t>(a)] =
-        0.5 * corner.cwiseProduct(
-                  Eigen::Vector3d(factor.y() * factor.z(), factor.x() * factor.z(), factor.x() * factor.y()));
+    gradients[a] = 0.5 * corner.cwiseProduct(Eigen::Vector3d(factor.y() * factor.z(), factor.x() * factor.z(),
+                                                             factor.x() * factor.y()));
   }
   return gradients;
 }
@@ -82,9 +81,7 @@ double diameterOf(const SolidMesh& mesh, const int* nodes) {
   double diameter = 0;
   for (int a = 0; a < mesh.nodesPerElement; ++a)
     for (int b = 0; b < a; ++b)
-      diameter = std::max(diameter, (mesh.nodes[static_cast<std::size_t>(nodes[a])] -
-                                     mesh.nodes[static_cast<std::size_t>(nodes[b])])
-                                        .norm());
+      diameter = std::max(diameter, (mesh.nodes[nodes[a]] - mesh.nodes[nodes[b]]).norm());
   return diameter;
 }
 
@@ -102,22 +99,20 @@ SolidElements makeSolidElements(const SolidMesh& mesh) {
   all.pointsPerElement = static_cast<int>(points);
   all.nodeVolume.assign(mesh.nodes.size(), 0);
   for (int e = 0; e < mesh.elementCount(); ++e) {
-    const int* nodes = &mesh.elements[static_cast<std::size_t>(e * n)];
-    const double fill = mesh.fill.empty() ? 1 : mesh.fill[static_cast<std::size_t>(e)];
+    const int* nodes = &mesh.elements[e * n];
+    const double fill = mesh.fill.empty() ? 1 : mesh.fill[e];
     const double diameter = diameterOf(mesh, nodes);
     std::vector<Eigen::Vector3d> gradients;
     std::vector<double> volumes;
     for (std::size_t q = 0; q < points; ++q) {
       Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();  // dX/dxi
       for (int a = 1; a < n; ++a)
-        jacobian += (mesh.nodes[static_cast<std::size_t>(nodes[a])] -
-                     mesh.nodes[static_cast<std::size_t>(nodes[0])]) *
-                    reference[q][static_cast<std::size_t>(a)].transpose();
+        jacobian += (mesh.nodes[nodes[a]] - mesh.nodes[nodes[0]]) * reference[q][a].transpose();
       const double volume = jacobian.determinant() * quadrature.weight;
       if (volume <= kFlattest * diameter * diameter * diameter) break;
       const Eigen::Matrix3d inverse = jacobian.inverse().transpose();
       volumes.push_back(volume);
-      for (int a = 0; a < n; ++a) gradients.push_back(inverse * reference[q][static_cast<std::size_t>(a)]);
+      for (int a = 0; a < n; ++a) gradients.push_back(inverse * reference[q][a]);
     }
     if (volumes.size() < points) {
       ++all.degenerateCount;
@@ -129,8 +124,7 @@ SolidElements makeSolidElements(const SolidMesh& mesh) {
       Eigen::Vector3d mean = Eigen::Vector3d::Zero();
       for (std::size_t q = 0; q < points; ++q) {
         mean += volumes[q] / total * gradients[q * static_cast<std::size_t>(n) + static_cast<std::size_t>(a)];
-        all.nodeVolume[static_cast<std::size_t>(nodes[a])] +=
-            fill * volumes[q] * referenceShape(n, a, quadrature.points[q]);
+        all.nodeVolume[nodes[a]] += fill * volumes[q] * referenceShape(n, a, quadrature.points[q]);
       }
       all.meanGradient.push_back(mean);
       all.node.push_back(nodes[a]);

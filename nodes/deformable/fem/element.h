@@ -22,11 +22,9 @@ struct SolidElements {
   int degenerateCount = 0;  ///< elements of the mesh left out: flat, inside out, or nearly so
 
   int count() const { return static_cast<int>(node.size()) / nodesPerElement; }
-  const int* nodesOf(int element) const { return &node[static_cast<std::size_t>(element * nodesPerElement)]; }
+  const int* nodesOf(int element) const { return &node[element * nodesPerElement]; }
   /// Of quadrature point element * pointsPerElement + q.
-  const Eigen::Vector3d* gradientsAt(int point) const {
-    return &gradient[static_cast<std::size_t>(point * nodesPerElement)];
-  }
+  const Eigen::Vector3d* gradientsAt(int point) const { return &gradient[point * nodesPerElement]; }
 };
 
 /// Throws std::invalid_argument on a mesh that is empty or whose elements are all degenerate, indices out of

@@ -10,21 +10,19 @@ constexpr double kRefined = 1e-9;
 constexpr double kConverged = 1e-6;
 constexpr int kMostSolves = 4;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 BlockValues stiffnessOf(const SolidBody& body) {
   const SolidElements& elements = body.elements;
   const int n = elements.nodesPerElement, points = elements.pointsPerElement;
-  BlockValues values(at(body.pattern.slotCount()), Eigen::Matrix3d::Zero());
+  BlockValues values(body.pattern.slotCount(), Eigen::Matrix3d::Zero());
   auto slot = body.elementSlots.begin();
   for (int e = 0; e < elements.count(); ++e) {
-    const Eigen::Vector3d* mean = &elements.meanGradient[at(e * n)];
+    const Eigen::Vector3d* mean = &elements.meanGradient[e * n];
     for (int a = 0; a < n; ++a)
       for (int b = a; b < n; ++b) {
         Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
         for (int q = e * points; q < (e + 1) * points; ++q) {
           const Eigen::Vector3d* g = elements.gradientsAt(q);
-          block += stiffnessBlock(body.lame, elements.weight[at(q)], g[a], g[b], mean[a], mean[b]);
+          block += stiffnessBlock(body.lame, elements.weight[q], g[a], g[b], mean[a], mean[b]);
         }
         addBlock(values, *slot++, block);
       }
@@ -71,8 +69,7 @@ bool LinearSolid::prepare(double h) {
   for (std::size_t slot = 0; slot < _system.size(); ++slot)
     _system[slot] = (1 + _body.stiffnessDamping * rate) * _total[slot];
   for (std::size_t i = 0; i < _body.mass.size(); ++i)
-    _system[at(_body.pattern.begin[i])].diagonal().array() +=
-        (rate + _body.massDamping) * rate * _body.mass[i];
+    _system[_body.pattern.begin[i]].diagonal().array() += (rate + _body.massDamping) * rate * _body.mass[i];
   _factorisedFor = h;
   _isSingular = !_factor.factorise(_body.pattern, _system);
   return !_isSingular;

@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::size_t kMostNodes = 8;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 // dJ/dF.
 Eigen::Matrix3d cofactor(const Eigen::Matrix3d& F) {
   Eigen::Matrix3d c;
@@ -53,12 +51,12 @@ std::array<Mode, 9> modesOf(const Eigen::Matrix3d& F, double da, double dda, dou
     stretch(i, j) += db * s[k];
     stretch(j, i) += db * s[k];
     const Eigen::Matrix3d ij = U.col(i) * V.col(j).transpose(), ji = U.col(j) * V.col(i).transpose();
-    modes[at(k)] = {2 * da + db * s[k], std::sqrt(0.5) * (ij - ji)};
-    modes[at(3 + k)] = {2 * da - db * s[k], std::sqrt(0.5) * (ij + ji)};
+    modes[k] = {2 * da + db * s[k], std::sqrt(0.5) * (ij - ji)};
+    modes[3 + k] = {2 * da - db * s[k], std::sqrt(0.5) * (ij + ji)};
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(stretch);
   for (int k = 0; k < 3; ++k)
-    modes[at(6 + k)] = {eigen.eigenvalues()[k], U * eigen.eigenvectors().col(k).asDiagonal() * V.transpose()};
+    modes[6 + k] = {eigen.eigenvalues()[k], U * eigen.eigenvectors().col(k).asDiagonal() * V.transpose()};
   return modes;
 }
 
@@ -68,7 +66,7 @@ NeoHookeanSolid::NeoHookeanSolid(const SolidMesh& mesh, const SolidMaterial& mat
                                  const SolidConstraints& constraints, const NewtonOptions& options)
     : NewtonSolid(makeSolidBody(mesh, material, constraints), options),
       _F(_body.elements.weight.size(), Eigen::Matrix3d::Identity()),
-      _meanJacobian(at(_body.elements.count()), 1),
+      _meanJacobian(_body.elements.count(), 1),
       _factor(_body.pattern, _body.unknowns) {
   start();
 }
@@ -85,23 +83,23 @@ double NeoHookeanSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
     double volume = 0, mean = 0;
     for (int q = e * points; q < (e + 1) * points; ++q) {
       const Eigen::Vector3d* g = elements.gradientsAt(q);
-      Eigen::Matrix3d& F = _F[at(q)];
+      Eigen::Matrix3d& F = _F[q];
       F.setZero();
-      for (int a = 1; a < n; ++a) F += (x[at(node[a])] - x[at(node[0])]) * g[a].transpose();
-      volume += elements.weight[at(q)];
-      mean += elements.weight[at(q)] * determinant(F);
+      for (int a = 1; a < n; ++a) F += (x[node[a]] - x[node[0]]) * g[a].transpose();
+      volume += elements.weight[q];
+      mean += elements.weight[q] * determinant(F);
     }
     mean /= volume;
-    _meanJacobian[at(e)] = mean;
+    _meanJacobian[e] = mean;
     energy += volume * 0.5 * kappa * (mean - 1) * (mean - 1);
     for (int q = e * points; q < (e + 1) * points; ++q) {
       const Eigen::Vector3d* g = elements.gradientsAt(q);
-      const Eigen::Matrix3d& F = _F[at(q)];
-      const double w = elements.weight[at(q)], I = F.squaredNorm(), J = determinant(F);
+      const Eigen::Matrix3d& F = _F[q];
+      const double w = elements.weight[q], I = F.squaredNorm(), J = determinant(F);
       energy += w * mu * (2. / 3 * (I - 3 - std::log((I + 1) / 4)) - (J - 1) + (J - 1) * (J - 1) / 12);
       const Eigen::Matrix3d P =
           w * (4. / 3 * mu * (I / (I + 1)) * F + (mu * ((J - 1) / 6 - 1) + kappa * (mean - 1)) * cofactor(F));
-      for (int a = 0; a < n; ++a) forces[at(node[a])] -= P * g[a];
+      for (int a = 0; a < n; ++a) forces[node[a]] -= P * g[a];
     }
   }
   return energy;
@@ -115,27 +113,27 @@ void NeoHookeanSolid::assemble(BlockValues& K) {
   std::array<Eigen::Vector3d, kMostNodes> row;
   std::array<Eigen::Vector3d, kMostNodes> mean;  // dm/dx_a, times the volume
   for (int e = 0; e < elements.count(); ++e) {
-    const int* slots = &_body.elementSlots[at(e * n * (n + 1) / 2)];
+    const int* slots = &_body.elementSlots[e * n * (n + 1) / 2];
     const auto addOuter = [&](double scale, const std::array<Eigen::Vector3d, kMostNodes>& v) {
       const int* slot = slots;
       for (int a = 0; a < n; ++a)
-        for (int b = a; b < n; ++b) addBlock(K, *slot++, scale * v[at(a)] * v[at(b)].transpose());
+        for (int b = a; b < n; ++b) addBlock(K, *slot++, scale * v[a] * v[b].transpose());
     };
     mean.fill(Eigen::Vector3d::Zero());
     double volume = 0;
     for (int q = e * points; q < (e + 1) * points; ++q) {
       const Eigen::Vector3d* g = elements.gradientsAt(q);
-      const Eigen::Matrix3d& F = _F[at(q)];
-      const double w = elements.weight[at(q)], I = F.squaredNorm(), J = determinant(F);
+      const Eigen::Matrix3d& F = _F[q];
+      const double w = elements.weight[q], I = F.squaredNorm(), J = determinant(F);
       const double da = 2. / 3 * mu * (I / (I + 1)), dda = 2. / 3 * mu / ((I + 1) * (I + 1));
-      const double db = mu * ((J - 1) / 6 - 1) + kappa * (_meanJacobian[at(e)] - 1), ddb = mu / 6;
+      const double db = mu * ((J - 1) / 6 - 1) + kappa * (_meanJacobian[e] - 1), ddb = mu / 6;
       for (const Mode& mode : modesOf(F, da, dda, db, ddb)) {
         if (mode.value <= 0) continue;
-        for (int a = 0; a < n; ++a) row[at(a)] = mode.shape * g[a];
+        for (int a = 0; a < n; ++a) row[a] = mode.shape * g[a];
         addOuter(w * mode.value, row);
       }
       const Eigen::Matrix3d c = cofactor(F);
-      for (int a = 0; a < n; ++a) mean[at(a)] += w * (c * g[a]);
+      for (int a = 0; a < n; ++a) mean[a] += w * (c * g[a]);
       volume += w;
     }
     addOuter(kappa / volume, mean);

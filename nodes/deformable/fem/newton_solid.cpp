@@ -12,13 +12,11 @@ constexpr double kFarthest = 1e9;
 constexpr int kMostHalvings = 30;
 constexpr double kSufficient = 1e-4;      // Armijo's
 constexpr double kRounding = 1e-14;       // of an energy
-constexpr double kForceRounding = 1e-15;  // of a force, of stiffness times position
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double kForceRounding = 1e-14;  // of a force, of stiffness times position
 
 double freeDot(const SolidBody& body, const NodeVectors& a, const NodeVectors& b) {
   double sum = 0;
-  for (const int i : body.unknowns) sum += a[at(i)].dot(b[at(i)]);
+  for (const int i : body.unknowns) sum += a[i].dot(b[i]);
   return sum;
 }
 
@@ -34,15 +32,16 @@ NewtonSolid::NewtonSolid(SolidBody body, const NewtonOptions& options)
        {&_forces, &_move, &_trial, &_direction, &_position, &_newForces, &_residual, &_damped})
     x->assign(_body.rest.size(), Eigen::Vector3d::Zero());
   for (BlockValues* values : {&_tangent, &_dampingTangent, &_system})
-    values->assign(at(_body.pattern.slotCount()), Eigen::Matrix3d::Zero());
+    values->assign(_body.pattern.slotCount(), Eigen::Matrix3d::Zero());
 }
 
 void NewtonSolid::start() {
   setState(_state);
   assemble(_tangent);
   for (const int i : _body.unknowns)
-    _stiffnessNorm += _tangent[at(_body.pattern.begin[at(i)])].diagonal().squaredNorm();
+    _stiffnessNorm += _tangent[_body.pattern.begin[i]].diagonal().squaredNorm();
   _stiffnessNorm = std::sqrt(_stiffnessNorm);
+  for (const double w : _body.elements.weight) _energyScale += w * _body.lame.mu;
 }
 
 bool NewtonSolid::setState(const SolidState& state) {
@@ -61,7 +60,7 @@ void NewtonSolid::addStepTerms(double h, const BlockValues& tangent, BlockValues
     for (std::size_t slot = 0; slot < A.size(); ++slot)
       A[slot] += _body.stiffnessDamping * rate * _dampingTangent[slot];
   for (std::size_t i = 0; i < _body.mass.size(); ++i)
-    A[at(_body.pattern.begin[i])].diagonal().array() += (rate + _body.massDamping) * rate * _body.mass[i];
+    A[_body.pattern.begin[i]].diagonal().array() += (rate + _body.massDamping) * rate * _body.mass[i];
 }
 
 void NewtonSolid::assembleSystem(double h) {
@@ -155,6 +154,7 @@ SolidReport NewtonSolid::step(double h, const SolidLoad& load) {
     else if (!moveTo(h, load, _move))
       return failure(SolidOutcome::failed, report);
   } else {
+    _newEnergy = _energy;
     _potential = _energy + softEnergy(_body, load, _position);
     _magnitude = std::abs(_potential);
   }
@@ -164,6 +164,7 @@ SolidReport NewtonSolid::step(double h, const SolidLoad& load) {
     const double left = freeNorm(_body, _residual);
     report.residual = left > 0 ? left / (scale + rounding / _options.tolerance) : 0;
     report.outcome = report.residual <= _options.tolerance ? SolidOutcome::converged : SolidOutcome::stopped;
+    if (left <= rounding) break;
     if (linearisation > 0) {
       if (report.converged() || linearisation == _options.iterations) break;
       assembleSystem(h);
@@ -171,7 +172,7 @@ SolidReport NewtonSolid::step(double h, const SolidLoad& load) {
         return failure(SolidOutcome::failed, report);
     }
     const double before = _potential, slope = freeDot(_body, _residual, _direction);
-    const double slack = kRounding * _magnitude;
+    const double slack = kRounding * (_magnitude + _energyScale + flat(_newForces).norm() * farthest);
     double length = 1;
     for (int halvings = 0;; ++halvings, length *= 0.5) {
       if (halvings > kMostHalvings) return failure(SolidOutcome::failed, report);

@@ -59,6 +59,7 @@ class NewtonSolid : public SolidSolver {
   bool _isSingular = false;
   bool _isEvaluated = false;  // whether evaluate() has last seen the state
   double _stiffnessNorm = 0;  // of the diagonal at rest [N/m]
+  double _energyScale = 0;    // mu times the volume [J]
   BlockValues _tangent, _dampingTangent, _system;
   // Work space: a move d from x0 and what was found there.
   NodeVectors _move, _trial, _direction, _position, _newForces, _residual, _damped;

@@ -10,29 +10,27 @@ namespace {
 
 constexpr double kFarthest = 1e9;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("solid: " + what); }
 
-void check(const SolidConstraints& constraints, std::size_t nodeCount) {
+void check(const SolidConstraints& constraints, int nodeCount) {
   std::vector<bool> isFixed(nodeCount, false);
   for (const int i : constraints.fixed) {
-    if (i < 0 || at(i) >= nodeCount) refuse("fixed node " + std::to_string(i) + " is not in the mesh");
-    if (isFixed[at(i)]) refuse("node " + std::to_string(i) + " is fixed twice");
-    isFixed[at(i)] = true;
+    if (i < 0 || i >= nodeCount) refuse("fixed node " + std::to_string(i) + " is not in the mesh");
+    if (isFixed[i]) refuse("node " + std::to_string(i) + " is fixed twice");
+    isFixed[i] = true;
   }
   const SoftPoints& soft = constraints.soft;
   if (!std::isfinite(soft.stiffness) || soft.stiffness < 0)
     refuse("the soft points' stiffness is not 0 or more");
-  if (soft.begin.empty() || soft.begin.front() != 0 || at(soft.begin.back()) != soft.node.size() ||
-      soft.node.size() != soft.weight.size())
+  if (soft.begin.empty() || soft.begin.front() != 0 ||
+      soft.begin.back() != static_cast<int>(soft.node.size()) || soft.node.size() != soft.weight.size())
     refuse("the soft points' rows do not fit");
   for (std::size_t r = 0; r + 1 < soft.begin.size(); ++r)
     if (soft.begin[r] > soft.begin[r + 1]) refuse("the soft points' rows do not fit");
   for (const int i : soft.node)
-    if (i < 0 || at(i) >= nodeCount) refuse("soft node " + std::to_string(i) + " is not in the mesh");
+    if (i < 0 || i >= nodeCount) refuse("soft node " + std::to_string(i) + " is not in the mesh");
   for (int r = 0; r < soft.count(); ++r) {
-    std::vector<int> row(soft.node.begin() + soft.begin[at(r)], soft.node.begin() + soft.begin[at(r) + 1]);
+    std::vector<int> row(soft.node.begin() + soft.begin[r], soft.node.begin() + soft.begin[r + 1]);
     std::sort(row.begin(), row.end());
     if (std::adjacent_find(row.begin(), row.end()) != row.end()) refuse("a soft point names a node twice");
   }
@@ -49,8 +47,7 @@ bool areUsable(std::span<const Eigen::Vector3d> vectors) {
 
 Eigen::Vector3d softPoint(const SoftPoints& soft, int r, const NodeVectors& x) {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  for (int k = soft.begin[at(r)]; k < soft.begin[at(r) + 1]; ++k)
-    point += soft.weight[at(k)] * x[at(soft.node[at(k)])];
+  for (int k = soft.begin[r]; k < soft.begin[r + 1]; ++k) point += soft.weight[k] * x[soft.node[k]];
   return point;
 }
 
@@ -60,17 +57,17 @@ std::vector<int> pairSlots(const BlockPattern& pattern, std::span<const int> beg
   std::vector<int> slots;
   for (std::size_t g = 0; g + 1 < begin.size(); ++g)
     for (int a = begin[g]; a < begin[g + 1]; ++a)
-      for (int b = a; b < begin[g + 1]; ++b) slots.push_back(pattern.slot(node[at(a)], node[at(b)]));
+      for (int b = a; b < begin[g + 1]; ++b) slots.push_back(pattern.slot(node[a], node[b]));
   return slots;
 }
 
 std::vector<SolidBody::Coupling> couplingsOf(const SolidBody& body) {
   std::vector<SolidBody::Coupling> couplings;
   for (int i = 0; i < body.pattern.rowCount(); ++i)
-    for (int slot = body.pattern.begin[at(i)]; slot < body.pattern.begin[at(i) + 1]; ++slot) {
-      const int j = body.pattern.column[at(slot)];
-      if (body.isUnknown[at(i)] && !body.isUnknown[at(j)]) couplings.push_back({slot, i, j});
-      if (!body.isUnknown[at(i)] && body.isUnknown[at(j)]) couplings.push_back({~slot, j, i});
+    for (int slot = body.pattern.begin[i]; slot < body.pattern.begin[i + 1]; ++slot) {
+      const int j = body.pattern.column[slot];
+      if (body.isUnknown[i] && !body.isUnknown[j]) couplings.push_back({slot, i, j});
+      if (!body.isUnknown[i] && body.isUnknown[j]) couplings.push_back({~slot, j, i});
     }
   return couplings;
 }
@@ -82,7 +79,7 @@ SolidBody makeSolidBody(const SolidMesh& mesh, const SolidMaterial& material,
   SolidBody body{};
   body.lame = lameOf(material);
   body.elements = makeSolidElements(mesh);
-  check(constraints, mesh.nodes.size());
+  check(constraints, static_cast<int>(mesh.nodes.size()));
   body.massDamping = material.massDamping;
   body.stiffnessDamping = material.stiffnessDamping;
   body.rest = mesh.nodes;
@@ -90,8 +87,8 @@ SolidBody makeSolidBody(const SolidMesh& mesh, const SolidMaterial& material,
   const SoftPoints& soft = constraints.soft;
   for (int r = 0; r < soft.count(); ++r) body.restTargets.push_back(softPoint(soft, r, body.rest));
   body.isUnknown.assign(mesh.nodes.size(), false);
-  for (const int i : body.elements.node) body.isUnknown[at(i)] = true;
-  for (const int i : constraints.fixed) body.isUnknown[at(i)] = false;
+  for (const int i : body.elements.node) body.isUnknown[i] = true;
+  for (const int i : constraints.fixed) body.isUnknown[i] = false;
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
     body.mass.push_back(material.density * body.elements.nodeVolume[i]);
     if (body.isUnknown[i]) body.unknowns.push_back(static_cast<int>(i));
@@ -101,7 +98,7 @@ SolidBody makeSolidBody(const SolidMesh& mesh, const SolidMaterial& material,
   const std::vector<int> elementBegin = begin;
   const int elementNodes = static_cast<int>(node.size());
   node.insert(node.end(), soft.node.begin(), soft.node.end());
-  for (int r = 1; r <= soft.count(); ++r) begin.push_back(elementNodes + soft.begin[at(r)]);
+  for (int r = 1; r <= soft.count(); ++r) begin.push_back(elementNodes + soft.begin[r]);
   body.pattern = makeBlockPattern(static_cast<int>(mesh.nodes.size()), begin, node);
   body.elementSlots = pairSlots(body.pattern, elementBegin, body.elements.node);
   body.softSlots = pairSlots(body.pattern, soft.begin, soft.node);
@@ -131,16 +128,15 @@ void addSoftStiffness(const SolidBody& body, BlockValues& values) {
     for (int a = soft.begin[r]; a < soft.begin[r + 1]; ++a)
       for (int b = a; b < soft.begin[r + 1]; ++b)
         addBlock(values, *slot++,
-                 soft.stiffness * soft.weight[at(a)] * soft.weight[at(b)] * Eigen::Matrix3d::Identity());
+                 soft.stiffness * soft.weight[a] * soft.weight[b] * Eigen::Matrix3d::Identity());
 }
 
 void addSoftForces(const SolidBody& body, const SolidLoad& load, const NodeVectors& x, NodeVectors& forces) {
   const SoftPoints& soft = body.constraints.soft;
   for (int r = 0; r < soft.count(); ++r) {
-    const Eigen::Vector3d& target = load.targets.empty() ? body.restTargets[at(r)] : load.targets[at(r)];
+    const Eigen::Vector3d& target = load.targets.empty() ? body.restTargets[r] : load.targets[r];
     const Eigen::Vector3d pull = soft.stiffness * (target - softPoint(soft, r, x));
-    for (int k = soft.begin[at(r)]; k < soft.begin[at(r) + 1]; ++k)
-      forces[at(soft.node[at(k)])] += soft.weight[at(k)] * pull;
+    for (int k = soft.begin[r]; k < soft.begin[r + 1]; ++k) forces[soft.node[k]] += soft.weight[k] * pull;
   }
 }
 
@@ -148,7 +144,7 @@ double softEnergy(const SolidBody& body, const SolidLoad& load, const NodeVector
   const SoftPoints& soft = body.constraints.soft;
   double sum = 0;
   for (int r = 0; r < soft.count(); ++r) {
-    const Eigen::Vector3d& target = load.targets.empty() ? body.restTargets[at(r)] : load.targets[at(r)];
+    const Eigen::Vector3d& target = load.targets.empty() ? body.restTargets[r] : load.targets[r];
     sum += (target - softPoint(soft, r, x)).squaredNorm();
   }
   return 0.5 * soft.stiffness * sum;
@@ -157,23 +153,23 @@ double softEnergy(const SolidBody& body, const SolidLoad& load, const NodeVector
 void subtractFixed(const SolidBody& body, const BlockValues& A, const NodeVectors& d, NodeVectors& b) {
   for (const auto& [slot, unknown, fixed] : body.couplings) {
     if (slot >= 0)
-      b[at(unknown)] -= A[at(slot)] * d[at(fixed)];
+      b[unknown] -= A[slot] * d[fixed];
     else
-      b[at(unknown)] -= A[at(~slot)].transpose() * d[at(fixed)];
+      b[unknown] -= A[~slot].transpose() * d[fixed];
   }
 }
 
 void prescribe(const SolidBody& body, const SolidLoad& load, const NodeVectors& position, NodeVectors& d) {
   std::fill(d.begin(), d.end(), Eigen::Vector3d::Zero());
   for (std::size_t k = 0; k < load.prescribed.size(); ++k) {
-    const auto i = at(body.constraints.fixed[k]);
+    const int i = body.constraints.fixed[k];
     d[i] = load.prescribed[k] - position[i];
   }
 }
 
 double freeNorm(const SolidBody& body, const NodeVectors& x) {
   double sum = 0;
-  for (const int i : body.unknowns) sum += x[at(i)].squaredNorm();
+  for (const int i : body.unknowns) sum += x[i].squaredNorm();
   return std::sqrt(sum);
 }
 
