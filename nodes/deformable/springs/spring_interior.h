@@ -37,8 +37,8 @@ struct VolumeHold {
   double modulus = 0;     // [Pa]
 };
 
-/// State at a volume V of any sign [m^3], rest volume V0 > 0. A gas below V0 / 10,000 goes on by its tangent
-/// there, so that a surface without volume, or inside out, still has a pressure that blows it up.
+/// State at a volume V of any sign [m^3], rest volume V0 > 0. Below V0 / 10,000 the pressure of a gas goes on
+/// in a straight line, steep enough to blow up a surface that is inside out, whatever the ambient pressure.
 InteriorState interiorAt(const SpringInterior& interior, const VolumeHold& hold, double volume,
                          double restVolume);
 

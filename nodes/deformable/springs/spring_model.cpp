@@ -66,16 +66,15 @@ void enclose(SpringModel& model, std::span<const Eigen::Vector3f> rest,
   if (std::holds_alternative<EmptyInterior>(interior)) return;
   requireClosed(triangles);
   model.restVolume = signedVolume(rest, triangles);
-  const double extent = boundingBox(rest).sizes().cast<double>().maxCoeff();
-  if (model.restVolume <= 1e-12 * extent * extent * extent)
+  if (model.restVolume <= 1e-12 * std::pow(model.extent, 3))
     refuse("an interior needs a surface around a volume, its triangles facing outwards");
   model.triangles.assign(triangles.begin(), triangles.end());
 }
 
 // A surface of springs stretched evenly resists with dp/dV = K / V, K = sum(k l^2) / 9 V. Held a hundred
 // times stiffer, each change of the multiplier leaves about a hundredth of the excess volume.
-void measure(SpringModel& model, double extent) {
-  const double leastLength = extent > 0 ? 1e-4 * extent : 1e-4;
+void measure(SpringModel& model) {
+  const double leastLength = model.extent > 0 ? 1e-4 * model.extent : 1e-4;
   std::vector<double> force(model.rest.size(), 0);
   double sum = 0;
   for (int a = 0; a < model.pointCount(); ++a)
@@ -99,6 +98,7 @@ SpringModel makeSpringModel(std::span<const Eigen::Vector3f> rest, std::span<con
   requireInRange(rest);
   const std::vector<Eigen::Vector2i> pairs = edges(rest.size(), triangles);
   SpringModel model;
+  model.extent = boundingBox(rest).sizes().cast<double>().maxCoeff();
   for (const Eigen::Vector3f& point : rest) model.rest.push_back(point.cast<double>());
   model.stiffness = spread(material.stiffness, pairs.size(), "stiffness", 1e-12, "above 0");
   model.mass = spread(material.mass, rest.size(), "mass", 0, "0 or more");
@@ -113,7 +113,7 @@ SpringModel makeSpringModel(std::span<const Eigen::Vector3f> rest, std::span<con
   }
   for (std::size_t i = 1; i < model.begin.size(); ++i) model.begin[i] += model.begin[i - 1];
   enclose(model, rest, triangles, interior);
-  measure(model, boundingBox(rest).sizes().cast<double>().maxCoeff());
+  measure(model);
   return model;
 }
 

@@ -28,6 +28,7 @@ struct SpringModel {
   double relaxationTime = 0;               // [s]
   std::vector<Eigen::Vector3i> triangles;  // of the surface around the interior; none around an empty one
   SpringInterior interior;
+  double extent = 0;       // longest side of the box around the points at rest [m]
   double restVolume = 0;   // [m^3]
   double holdModulus = 0;  // of a VolumeInterior [Pa], see VolumeHold
   double forceUnit = 0;  // [N] root of the sum over points of (sum of k l)^2, what residuals are measured in
