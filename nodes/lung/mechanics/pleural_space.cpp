@@ -1,25 +1,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
 #include <pleura/nodes/lung/mechanics/pleural_space.h>
+#include <pleura/nodes/lung/mechanics/require_positive.h>
 
 namespace pleura {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kLargestCavity = 1;  // [m^3]
+constexpr double kLeastSpace = 1e-9;  // [m^3] of the cavity beyond the least volume of the lung
 constexpr int kMostIterations = 300;  // bisection alone takes 110 from the widest bracket
 
 // A NaN is not, and raises no floating-point exception.
 bool isInRange(double x, double least, double most) { return std::isfinite(x) && x >= least && x <= most; }
-
-void requirePositive(double value, const char* what) {
-  if (!(std::isfinite(value) && value > 0))
-    throw std::invalid_argument(std::string("pleural space: ") + what + " must be a positive number");
-}
 
 bool isSound(const PleuralDrain& drain, double ambient) {
   return !drain.isOn || (isInRange(drain.resistance, 1, 1e15) && isInRange(drain.suction, 0, ambient));
@@ -28,7 +23,7 @@ bool isSound(const PleuralDrain& drain, double ambient) {
 bool isSound(const LungMechanics& lung, const PleuralInputs& in, double dt) {
   const Orifice& hole = in.leak.hole;
   return isInRange(dt, kShortestStep, kLongestStep) && isInRange(in.ambientPressure, 1e3, 1e7) &&
-         isInRange(in.cavityVolume, 0, kLargestCavity) && in.cavityVolume > lung.recoil.leastVolume() &&
+         isInRange(in.cavityVolume, lung.recoil.leastVolume() + kLeastSpace, kLargestCavity) &&
          isInRange(hole.area, 0, 1) && isInRange(hole.dischargeCoefficient, 0, 1) &&
          isSound(in.drain, in.ambientPressure);
 }
@@ -175,9 +170,9 @@ void limitOutflow(const LungState& before, double ambient, double dt, Guess& g) 
 double restingCavity(const LungMechanics& lung) { return lung.recoil.rest().volume + lung.filmVolume; }
 
 LungState restingState(const LungMechanics& lung, double ambientPressure) {
-  requirePositive(lung.airwayResistance, "the airway's resistance");
-  requirePositive(lung.filmVolume, "the film's volume");
-  requirePositive(ambientPressure, "ambient pressure");
+  requirePositive(lung.airwayResistance, "pleural space: the airway's resistance");
+  requirePositive(lung.filmVolume, "pleural space: the film's volume");
+  requirePositive(ambientPressure, "pleural space: ambient pressure");
   const double recoil = lung.recoil.rest().recoil;
   LungState state;
   state.cavityVolume = restingCavity(lung);
@@ -185,7 +180,7 @@ LungState restingState(const LungMechanics& lung, double ambientPressure) {
   state.transpulmonary = recoil;
   state.intrapleural = -recoil;
   state.film = (ambientPressure - recoil) * lung.filmVolume;
-  requirePositive(state.film, "the film's pressure");
+  requirePositive(state.film, "pleural space: the film's pressure");
   return state;
 }
 

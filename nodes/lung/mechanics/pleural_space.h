@@ -64,17 +64,20 @@ bool admitGas(double volume, double ambientPressure, LungState& state);
 inline constexpr double kShortestStep = 1e-6, kLongestStep = 1e3;
 
 /// Advances a lung by dt [s], backward Euler:
-///   dV/dt + q_t = Q = -P_A / R                          air through the bronchus
-///   P_A = p + P,  V = V(P)                              recoil
-///   (p_0 + p) (V_c - V) = film + gas                    P V = constant
-///   d gas/dt = p_0 (q_w + q_t - q_d)                    wound, torn lung, drain
+///   dV/dt + q_t = Q = -P_A / R              air through the bronchus
+///   P_A = p + P,  V = V(P)                  recoil
+///   (p_0 + p) (V_c - V) = film + gas        P V = constant
+///   d gas/dt = p_0 (q_w + q_t - q_d)        wound, torn lung, drain
 /// The thin liquid film is a very small amount of gas that never leaves: so one law holds with a pneumothorax
-/// and without, and the lung follows the cavity within p / p_0 of the film's volume (1e-8 of a breath). Air
-/// in the lung is taken as incompressible: alveolar pressure is within 0.2 % of ambient. The four equations
-/// are one in P, monotone, so it has one root at any dt; Newton's method within a bracket finds it. Refused,
-/// with the state left as it was: numbers that are not finite, dt outside its limits, V_c outside (least
-/// volume of the lung, 1 m^3], p_0 outside [1e3, 1e7] Pa, areas outside [0, 1] m^2, a drain's resistance
-/// outside [1, 1e15] Pa s/m^3 or suction outside [0, p_0]. Does not throw or allocate.
+/// and without, and pleural volume changes by p / p_0 of the film's alone (1e-5 of a breath). Air in the lung
+/// is taken as incompressible: alveolar pressure is within 0.2 % of ambient. The four equations are one in P,
+/// monotone, so they have one root at any dt; Newton's method within a bracket finds it. The cavity is
+/// imposed: no chest wall gives way to the pressure.
+///
+/// Refused, with the state left as it was: what is not finite, dt outside its limits, V_c less than 1 uL
+/// above the least volume of the lung or over 1 m^3, p_0 outside [1e3, 1e7] Pa, a hole's area [m^2] or
+/// coefficient outside [0, 1], a drain's resistance outside [1, 1e15] Pa s/m^3 or suction outside [0, p_0].
+/// Does not throw or allocate.
 PleuralReport advance(const LungMechanics& lung, const PleuralInputs& inputs, double dt, LungState& state);
 
 }  // namespace pleura

@@ -1,17 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include <pleura/nodes/lung/mechanics/recoil_curve.h>
+#include <pleura/nodes/lung/mechanics/require_positive.h>
 
 namespace pleura {
 namespace {
-
-void requirePositive(double value, const char* what) {
-  if (!(std::isfinite(value) && value > 0))
-    throw std::invalid_argument(std::string("recoil curve: ") + what + " must be a positive number");
-}
 
 // 1 / (1 + exp(-z)), without overflow
 double logistic(double z) {
@@ -22,9 +17,9 @@ double logistic(double z) {
 }  // namespace
 
 RecoilCurve::RecoilCurve(const RestingLung& rest) : rest_(rest) {
-  requirePositive(rest.volume, "the lung's volume at rest");
-  requirePositive(rest.recoil, "the transpulmonary pressure at rest");
-  requirePositive(rest.compliance, "the compliance at rest");
+  requirePositive(rest.volume, "recoil curve: the lung's volume at rest");
+  requirePositive(rest.recoil, "recoil curve: the transpulmonary pressure at rest");
+  requirePositive(rest.compliance, "recoil curve: the compliance at rest");
 }
 
 RecoilCurve RecoilCurve::linear(const RestingLung& rest) {
