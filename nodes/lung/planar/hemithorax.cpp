@@ -190,7 +190,7 @@ Hemithorax makeHemithorax(const HemithoraxShape& shape) {
   half.wall = makeWall(shape);
   openWound(shape, half.wall);
   half.lung = concentricMesh(naturalOutline(shape, half.wall));
-  half.lung.heldCount = half.lung.outlineCount / 36;
+  half.lung.heldCount = (half.lung.outlineCount + 18) / 36;
   half.strip = makeStrip(half.lung.outlineCount);
   for (auto* points : {&half.wall.rest, &half.lung.points})
     for (Vector2d& p : *points) p.x() += shape.midlineToHilum;

@@ -16,7 +16,7 @@ struct HemithoraxShape {
   double film = 0.001;           // [m] distance at which the two pleurae begin to press on each other, > 0
   double woundHeight = 0.02;     // [m] of the wound's middle above the hilum, on the lateral wall
   double woundLength = 0.02;     // [m] of the gap along the wall, >= 0
-  int rings = 6;                 // of triangles from the middle of the lung to its outline, in [3, 48]
+  int rings = 5;                 // of triangles from the middle of the lung to its outline, in [3, 48]
   bool isMirrored = false;       // false: on the side of +x, the subject's left
 };
 
@@ -53,7 +53,7 @@ struct PlanarLungParameters {
   double thickness = 0.08;                           // [m] > 0, from front to back, of lung and pleural space
   double intrapleuralPressure = -490.3325;           // [Pa] gauge, at the start of the breath: -5 cmH2O
   double ambientPressure = 101325;                   // [Pa] absolute, > 0; that of the air in the lung
-  double contactPressure = 1000;  // [Pa] > 0: the pleurae press with 1.2 of it at half the film
+  double contactPressure = 300;  // [Pa] > 0: the pleurae press with 1.2 of it at half the film
 };
 
 }  // namespace pleura

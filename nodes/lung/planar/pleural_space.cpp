@@ -141,7 +141,7 @@ void PleuralSpace::addStiffness(const PleuralGas& gas, Eigen::MatrixXd& lung, Ei
     const double scale = sample.weight * contactPressure_;
     const Eigen::Matrix4d h =
         scale * (barrierCurvature(y) / film_ * c.at.gradient * c.at.gradient.transpose() +
-                 barrierSlope(y) * c.at.curvature);
+                 barrierSlope(y) * c.at.curvature());
     const std::size_t i = sample.edge;
     const std::array<Index, 2> slot{slotOf(i), slotOf(i + 1 < lung_.size() ? i + 1 : 0)};
     const std::array<double, 2> part{1 - sample.part, sample.part};

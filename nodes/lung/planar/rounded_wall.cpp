@@ -70,6 +70,18 @@ RoundedWall::Piece RoundedWall::piece(std::size_t k) const {
           points_[i] - 2 * points_[k] + points_[j]};
 }
 
+Matrix4d WallGap::curvature() const {
+  // With dc = c_q dq along the chest's motion and its change along the wall c_q', and the foot eliminated
+  // (gap f(z, s): f_zz - f_zs f_zs' / f_ss):
+  //   d gap = n . (dx - c_q dq)
+  //   d2 gap = m (-bend T T' + T L' + L T' - gap L L'),  m = 1 / (1 - bend gap),
+  //   T = t . (dx - c_q dq),  L = -n . c_q' dq / |c'|,  bend = n . c'' / |c'|^2
+  const double m = 1 / (1 - bend * gap);
+  const Vector4d mixed = turn - bend / 2 * along;
+  return (m * along) * mixed.transpose() + (m * mixed) * along.transpose() -
+         (m * gap * turn) * turn.transpose();
+}
+
 WallGap RoundedWall::gapAt(const Vector2d& x, double reach) const {
   std::size_t k = nearest(x);
   const double least = (x - points_[k]).squaredNorm();
@@ -112,11 +124,6 @@ WallGap RoundedWall::gapAt(const Vector2d& x, double reach) const {
   found.gap = n.dot(r);
   if (!(found.gap < reach)) return found;
 
-  // With dc = c_q dq along the chest's motion and its change along the wall c_q', and the foot eliminated
-  // (gap f(z, s): f_zz - f_zs f_zs' / f_ss):
-  //   d gap = n . (dx - c_q dq)
-  //   d2 gap = m (-kappa T T' + T L' + L T' - gap L L'),  m = 1 / (1 - kappa gap),
-  //   T = t . (dx - c_q dq),  L = -n . c_q' dq / |c'|,  kappa = n . c'' / |c'|^2
   const std::array<double, 3> weight{(1 - s) * (1 - s) / 2, 0.5 + s - s * s, s * s / 2};
   const std::array<double, 3> change{s - 1, 1 - 2 * s, s};
   const auto sum = [&](const std::vector<Vector2d>& mode, const std::array<double, 3>& factor) -> Vector2d {
@@ -126,14 +133,10 @@ WallGap RoundedWall::gapAt(const Vector2d& x, double reach) const {
   const Vector2d out = sum(outline_.chestWall, weight);
   found.isNear = true;
   found.gradient = Vector4d(n.x(), n.y(), -n.dot(down), -n.dot(out));
-  const Vector4d along(t.x(), t.y(), -t.dot(down), -t.dot(out));
-  const Vector4d turn(0, 0, -n.dot(sum(outline_.diaphragm, change)) / length,
-                      -n.dot(sum(outline_.chestWall, change)) / length);
-  const double kappa = n.dot(on.bend) / (length * length);
-  const double m = 1 / (1 - kappa * found.gap);
-  const Vector4d mixed = turn - kappa / 2 * along;
-  found.curvature = (m * along) * mixed.transpose() + (m * mixed) * along.transpose() -
-                    (m * found.gap * turn) * turn.transpose();
+  found.along = Vector4d(t.x(), t.y(), -t.dot(down), -t.dot(out));
+  found.turn = Vector4d(0, 0, -n.dot(sum(outline_.diaphragm, change)) / length,
+                        -n.dot(sum(outline_.chestWall, change)) / length);
+  found.bend = n.dot(on.bend) / (length * length);
   return found;
 }
 

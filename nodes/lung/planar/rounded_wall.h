@@ -10,12 +10,15 @@
 
 namespace pleura::planar {
 
-/// The wall near a point x, as the contact sees it: gap and its derivatives by (x, q).
+/// The wall near a point x, as the contact sees it: the gap, and what its derivatives by (x, q) are made of.
 struct WallGap {
-  double gap = 0;             // [m] from the wall inwards; of no use but its sign when it is not near
-  bool isNear = false;        // the derivatives are filled in
-  Eigen::Vector4d gradient;   // by x [1] and the chest's coordinates [1]
-  Eigen::Matrix4d curvature;  // second derivatives [1/m]
+  double gap = 0;                     // [m] from the wall inwards; of no use but its sign when it is not near
+  bool isNear = false;                // what follows is filled in
+  Eigen::Vector4d gradient;           // [1]
+  Eigen::Vector4d along;              // motion along the wall [1]
+  Eigen::Vector4d turn;               // of the wall where the foot is [1/m]
+  double bend = 0;                    // [1/m] of the wall, positive towards x
+  Eigen::Matrix4d curvature() const;  // second derivatives [1/m]
 };
 
 /// The wall with its corners rounded: the quadratic B-spline of its points, through the middles of its
