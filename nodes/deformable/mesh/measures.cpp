@@ -12,6 +12,25 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 using Eigen::Vector3i;
 
+namespace {
+
+template <class Point>
+double volumeWithin(std::span<const Point> points, std::span<const Vector3i> triangles) {
+  if (triangles.empty()) return 0;
+  // V = 1/6 sum a . (b x c), taken from a point of the surface so that nothing is lost far from the origin.
+  const Vector3d origin = points[triangles[0][0]].template cast<double>();
+  double sixVolumes = 0;
+  for (const Vector3i& triangle : triangles) {
+    const Vector3d a = points[triangle[0]].template cast<double>() - origin;
+    const Vector3d b = points[triangle[1]].template cast<double>() - origin;
+    const Vector3d c = points[triangle[2]].template cast<double>() - origin;
+    sixVolumes += a.dot(b.cross(c));
+  }
+  return sixVolumes / 6;
+}
+
+}  // namespace
+
 bool isFinite(const Vector3f& point) {
   // not allFinite(), which subtracts infinities and so raises the floating-point exception it should prevent
   return std::all_of(point.begin(), point.end(), [](float x) { return std::isfinite(x); });
@@ -24,17 +43,11 @@ void requireFinite(std::span<const Vector3f> points) {
 }
 
 double signedVolume(std::span<const Vector3f> points, std::span<const Vector3i> triangles) {
-  if (triangles.empty()) return 0;
-  // V = 1/6 sum a . (b x c), taken from a point of the surface so that nothing is lost far from the origin.
-  const Vector3d origin = points[triangles[0][0]].cast<double>();
-  double sixVolumes = 0;
-  for (const Vector3i& triangle : triangles) {
-    const Vector3d a = points[triangle[0]].cast<double>() - origin;
-    const Vector3d b = points[triangle[1]].cast<double>() - origin;
-    const Vector3d c = points[triangle[2]].cast<double>() - origin;
-    sixVolumes += a.dot(b.cross(c));
-  }
-  return sixVolumes / 6;
+  return volumeWithin(points, triangles);
+}
+
+double signedVolume(std::span<const Vector3d> points, std::span<const Vector3i> triangles) {
+  return volumeWithin(points, triangles);
 }
 
 double surfaceArea(std::span<const Vector3f> points, std::span<const Vector3i> triangles) {

@@ -16,6 +16,7 @@ void requireFinite(std::span<const Eigen::Vector3f> points);
 /// Volume [m^3] a closed surface encloses, negative when its triangles face inwards (divergence theorem).
 /// An open surface is closed by a cone to its first triangle's first corner. Indices must be in range.
 double signedVolume(std::span<const Eigen::Vector3f> points, std::span<const Eigen::Vector3i> triangles);
+double signedVolume(std::span<const Eigen::Vector3d> points, std::span<const Eigen::Vector3i> triangles);
 
 /// Area [m^2] of all triangles. Indices must be in range.
 double surfaceArea(std::span<const Eigen::Vector3f> points, std::span<const Eigen::Vector3i> triangles);
