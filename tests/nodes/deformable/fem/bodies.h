@@ -1,85 +1,61 @@
 #pragma once
 
-#include <algorithm>
-#include <functional>
-#include <limits>
+#include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
+#include "../mesh/shapes.h"
 #include <Eigen/Geometry>
 
-#include <pleura/nodes/deformable/fem/solid_solver.h>
+#include <pleura/nodes/deformable/mesh/measures.h>
 
-namespace pleura {
+namespace pleura::bodies {
 
-/// Cells n.x by n.y by n.z of a box from the origin; five tetrahedra a cell, mirrored from cell to cell so
-/// that they fit, or one hexahedron.
-inline SolidMesh box(const Eigen::Vector3i& n, const Eigen::Vector3d& size, int nodesPerElement) {
-  SolidMesh mesh;
-  mesh.nodesPerElement = nodesPerElement;
-  const auto corner = [&](int x, int y, int z) { return x + (n.x() + 1) * (y + (n.y() + 1) * z); };
-  for (int z = 0; z <= n.z(); ++z)
-    for (int y = 0; y <= n.y(); ++y)
-      for (int x = 0; x <= n.x(); ++x)
-        mesh.nodes.push_back(Eigen::Vector3d(x, y, z).cwiseQuotient(n.cast<double>()).cwiseProduct(size));
-  static constexpr int kFive[5][4] = {{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}};
-  for (int z = 0; z < n.z(); ++z)
-    for (int y = 0; y < n.y(); ++y)
-      for (int x = 0; x < n.x(); ++x) {
-        const auto at = [&](int bits) {
-          return corner(x + (bits & 1), y + ((bits >> 1) & 1), z + (bits >> 2));
-        };
-        if (nodesPerElement == 8) {
-          for (int bits = 0; bits < 8; ++bits) mesh.elements.push_back(at(bits));
-          continue;
-        }
-        const int flip = (x + y + z + 1) % 2;  // mirrors x
-        for (const auto& tet : kFive) {
-          int v[4];
-          for (int a = 0; a < 4; ++a) v[a] = at(tet[a] ^ flip);
-          if (flip) std::swap(v[2], v[3]);
-          mesh.elements.insert(mesh.elements.end(), v, v + 4);
-        }
-      }
+/// The mesh with every point p moved to scale R p + offset.
+inline TriangleMesh placed(TriangleMesh mesh, const Eigen::Vector3d& offset,
+                           const Eigen::Matrix3d& linear = Eigen::Matrix3d::Identity()) {
+  for (Eigen::Vector3f& point : mesh.points) point = (linear * point.cast<double>() + offset).cast<float>();
   return mesh;
 }
 
-inline SolidMesh cube(int n, int nodesPerElement) {
-  return box(Eigen::Vector3i::Constant(n), Eigen::Vector3d::Ones(), nodesPerElement);
+inline TriangleMesh together(TriangleMesh first, const TriangleMesh& second) {
+  const int shift = static_cast<int>(first.points.size());
+  first.points.insert(first.points.end(), second.points.begin(), second.points.end());
+  for (const Eigen::Vector3i& triangle : second.triangles)
+    first.triangles.push_back(triangle.array() + shift);
+  return first;
 }
 
-inline std::vector<int> nodesWhere(const SolidMesh& mesh,
-                                   const std::function<bool(const Eigen::Vector3d&)>& chosen) {
-  std::vector<int> nodes;
-  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
-    if (chosen(mesh.nodes[i])) nodes.push_back(static_cast<int>(i));
-  return nodes;
+/// Without the triangles that have a corner beyond the plane.
+inline TriangleMesh cut(TriangleMesh mesh, const Eigen::Vector3f& normal, float offset) {
+  std::erase_if(mesh.triangles, [&](const Eigen::Vector3i& triangle) {
+    for (const int corner : triangle)
+      if (mesh.points[corner].dot(normal) > offset) return true;
+    return false;
+  });
+  return mesh;
 }
 
-/// The face x = 0.
-inline std::vector<int> clampedFace(const SolidMesh& mesh) {
-  return nodesWhere(mesh, [](const auto& x) { return x.x() <= 0; });
+inline Eigen::Matrix3d tilted() {
+  return Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
 }
 
-/// Moves the nodes inside of the unit cube about, by up to `by`.
-inline void distort(SolidMesh& mesh, double by) {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> uniform(-by, by);
-  for (auto& x : mesh.nodes)
-    if (x.minCoeff() > 0 && x.maxCoeff() < 1)
-      x += Eigen::Vector3d(uniform(random), uniform(random), uniform(random));
+inline double volumeOf(const TriangleMesh& mesh) { return signedVolume(mesh.points, mesh.triangles); }
+
+struct Named {
+  std::string name;
+  TriangleMesh mesh;
+};
+
+/// Sound closed surfaces, some in general position.
+inline std::vector<Named> sound() {
+  const Eigen::Matrix3d ellipsoid = tilted() * Eigen::Vector3d(1, 0.6, 0.3).asDiagonal();
+  return {{"sphere", shapes::sphere(48)},
+          {"ellipsoid", placed(shapes::sphere(48), Eigen::Vector3d::Zero(), ellipsoid)},
+          {"torus", placed(shapes::torus(60, 30), Eigen::Vector3d::Zero(), tilted())},
+          {"cube", shapes::cube()},
+          {"tilted cube", placed(shapes::cube(), Eigen::Vector3d::Zero(), tilted())}};
 }
 
-/// Weights [N] of the nodes of a body under g [m/s^2].
-inline NodeVectors weights(const std::vector<double>& mass, const Eigen::Vector3d& g) {
-  NodeVectors forces;
-  for (const double m : mass) forces.push_back(m * g);
-  return forces;
-}
-
-inline constexpr double kStatic = std::numeric_limits<double>::infinity();
-
-/// The cube of the closed form: 1 m, 1 kg.
-inline SolidMaterial softCube() { return {.density = 1, .youngsModulus = 2e4, .poissonRatio = 0.4}; }
-
-}  // namespace pleura
+}  // namespace pleura::bodies
