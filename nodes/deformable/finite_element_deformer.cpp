@@ -6,6 +6,7 @@
 #include <pleura/nodes/deformable/fem/corotational_solid.h>
 #include <pleura/nodes/deformable/fem/linear_solid.h>
 #include <pleura/nodes/deformable/fem/neo_hookean_solid.h>
+#include <pleura/nodes/deformable/fem/pressure.h>
 #include <pleura/nodes/deformable/finite_element_deformer.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
 
@@ -69,6 +70,15 @@ void FiniteElementDeformer::declare(NodeType& type) {
       .means("beta of D = alpha M + beta K; counts where quasiStatic is FALSE");
   type.field<&FiniteElementDeformer::quasiStatic>("quasiStatic", inputOutput, true)
       .means("whether the shape is that in which all is in balance, or moves with inertia and damping");
+  type.field<&FiniteElementDeformer::pressure>("pressure", inputOutput, 0)
+      .measuredIn(Unit::pressure)
+      .within(-1e9, 1e9)
+      .means("inside less outside, from PleuralSpace.transpulmonaryPressure");
+  type.field<&FiniteElementDeformer::restPressure>("restPressure", inputOutput, 0)
+      .measuredIn(Unit::pressure)
+      .within(-1e9, 1e9)
+      .means(
+          "the pressure at which the shape is at rest; the loads are what is above it, normal to that shape");
   type.field<&FiniteElementDeformer::elementCount>("elementCount", outputOnly, 0).means("elements made");
   type.field<&FiniteElementDeformer::iterations>("iterations", outputOnly, 0)
       .means("linear systems solved, or products with them, for the present shape");
@@ -78,9 +88,13 @@ void FiniteElementDeformer::declare(NodeType& type) {
       .means("whether the present shape is the answer; if not, it is the last that was good");
 }
 
+std::vector<Field*> FiniteElementDeformer::material() {
+  return {&model, &density, &youngsModulus, &poissonRatio, &massDamping, &stiffnessDamping, &quasiStatic};
+}
+
 std::vector<Field*> FiniteElementDeformer::inputs() {
-  std::vector<Field*> fields{&model,        &elements,    &density,          &youngsModulus,
-                             &poissonRatio, &massDamping, &stiffnessDamping, &quasiStatic};
+  std::vector<Field*> fields = material();
+  fields.insert(fields.end(), {&elements, &pressure, &restPressure});
   if (!quasiStatic.getValue()) fields.push_back(&context().time);
   return fields;
 }
@@ -97,6 +111,13 @@ void FiniteElementDeformer::makeLattice() {
   lattice_ = pleura::makeLattice(rest_, {.elements = elements.getValue()});
   embedding_ = embed(*lattice_, rest_.points);
   points_.resize(rest_.points.size());
+  std::transform(rest_.points.begin(), rest_.points.end(), points_.begin(),
+                 [](const Vec3f& p) { return Eigen::Vector3d(p.cast<double>()); });
+  pointForces_.assign(rest_.points.size(), Eigen::Vector3d::Zero());
+  addPressureForces(1, points_, rest_.triangles, pointForces_);
+  pull_.assign(lattice_->solid.nodes.size(), Eigen::Vector3d::Zero());
+  addTransposed(embedding_, pointForces_, pull_);
+  forces_ = pull_;
   solver_.reset();
   elementCount.setValue(lattice_->report.elements, id);
   for (const std::string& finding : findings(lattice_->report)) context().warn(*this, finding);
@@ -120,8 +141,7 @@ void FiniteElementDeformer::makeSolver(std::span<const int> driven) {
 
 void FiniteElementDeformer::solve(std::span<const int> driven, std::span<const Vec3f> targets) {
   std::uint64_t stamp = 0;
-  for (Field* input : inputs())
-    if (input != &context().time) stamp = std::max(stamp, input->getStamp());
+  for (Field* input : material()) stamp = std::max(stamp, input->getStamp());
   if (elements.getStamp() != latticeStamp_) makeLattice();
   if (!solver_ || stamp != solverStamp_ ||
       !std::equal(driven.begin(), driven.end(), driven_.begin(), driven_.end()))
@@ -136,7 +156,10 @@ void FiniteElementDeformer::solve(std::span<const int> driven, std::span<const V
     time_ = context().time.getValue();
     if (h <= 0) return;
   }
-  const SolidReport report = solver_->step(h, {.targets = targets_});
+  const double above = double{pressure.getValue()} - restPressure.getValue();
+  std::transform(pull_.begin(), pull_.end(), forces_.begin(),
+                 [above](const Eigen::Vector3d& f) { return Eigen::Vector3d(above * f); });
+  const SolidReport report = solver_->step(h, {.forces = forces_, .targets = targets_});
   iterations.setValue(report.iterations, id);
   residual.setValue(static_cast<float>(report.residual), id);
   converged.setValueIfChanged(report.converged(), id);

@@ -24,6 +24,8 @@ class FiniteElementDeformer : public DeformerNode {
   SFFloat massDamping;
   SFFloat stiffnessDamping;
   SFBool quasiStatic;
+  SFFloat pressure;
+  SFFloat restPressure;
 
   SFInt32 elementCount;
   SFInt32 iterations;
@@ -38,6 +40,8 @@ class FiniteElementDeformer : public DeformerNode {
   static void declare(NodeType& type);
 
  private:
+  /// Fields that a solver is made for.
+  std::vector<Field*> material();
   void makeLattice();
   void makeSolver(std::span<const int> driven);
   void solve(std::span<const int> driven, std::span<const Vec3f> targets);
@@ -51,7 +55,9 @@ class FiniteElementDeformer : public DeformerNode {
   SolidState atRest_;
   Time time_ = 0;
   // Work space.
-  std::vector<Eigen::Vector3d> targets_, points_;
+  std::vector<Eigen::Vector3d> targets_, points_, pointForces_;
+  std::vector<Eigen::Vector3d> pull_;    // of a pressure of 1 Pa on the nodes, at rest [N]
+  std::vector<Eigen::Vector3d> forces_;  // on the nodes [N]
 };
 
 }  // namespace pleura

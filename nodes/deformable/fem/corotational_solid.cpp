@@ -98,6 +98,8 @@ void CorotationalSolid::assemble(BlockValues& K) {
     }
   }
   for (auto& R : _nodeRotation) R = nearestRotation(R);
+  // Springs hold places, not turned ones: turned, their stiff part of the factor would fit none.
+  for (const int node : _body.constraints.soft.node) _nodeRotation[node].setIdentity();
 }
 
 bool CorotationalSolid::prepare(double h) {

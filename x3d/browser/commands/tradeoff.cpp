@@ -124,7 +124,8 @@ void compare(const Options& options) {
   std::filesystem::create_directories(options.output);
   const auto scene = options.load();
   for (const auto& assignment : options.playback.set) scene->set(assignment);
-  const FigureTable& table = Comparison(*scene, options).run();
+  Comparison comparison(*scene, options);
+  const FigureTable& table = comparison.run();
   drawChart(table.all(), options.output);
   const std::string text = advice(table.all());
   write(options.output / "advice.txt", text + "\n");
