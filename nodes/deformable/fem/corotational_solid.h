@@ -12,7 +12,8 @@ struct CorotationalOptions : NewtonOptions {
 /// Linear elasticity in the turned frame of each quadrature point (Mueller and Gross 2004; Chao et al. 2010):
 /// with F = dx/dX, R the rotation nearest to F, theta = tr(R^T F) - 3 and its mean m over the element,
 ///   E = sum of w [mu |F - R|^2 - mu/3 theta^2 + (lambda/2 + mu/3) m^2].
-/// Large rotations, small strains. The tangent holds R; its systems are solved by conjugate gradients,
+/// Large rotations, small strains: of tenfold stretch it is far from having converged after 30
+/// linearisations, and says so. The tangent holds R; its systems are solved by conjugate gradients,
 /// preconditioned by the factor at rest turned as each node's surroundings are. With iterations = 1 a step is
 /// one linearisation, and seldom says converged.
 class CorotationalSolid : public NewtonSolid {
