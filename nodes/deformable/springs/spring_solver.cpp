@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Geometry>
-
 #include <pleura/nodes/deformable/springs/spring_energy.h>
 #include <pleura/nodes/deformable/springs/spring_solver.h>
 #include <pleura/nodes/deformable/springs/spring_start.h>
@@ -76,19 +74,6 @@ double dot(const SpringWorkspace::Vectors& a, const SpringWorkspace::Vectors& b)
   return sum;
 }
 
-// How much of the direction may be gone at once: no point farther than the surface is large, at rest and now,
-// since where little holds it the direction may lead anywhere.
-double longestStep(const SpringModel& model, const SpringWorkspace& w) {
-  Eigen::AlignedBox3d box;
-  double farthest = 0;
-  for (std::size_t i = 0; i < w.position.size(); ++i) {
-    box.extend(w.position[i]);
-    farthest = std::max(farthest, w.direction[i].norm());
-  }
-  const double size = model.extent + box.sizes().maxCoeff();
-  return farthest > size && size > 0 ? size / farthest : 1;
-}
-
 // Moves the position along the direction by the first of 1, 1/2, 1/4 ... that lowers the energy enough
 // (Armijo), or, where rounding hides that, the gradient.
 bool searchLine(const SpringModel& model, SpringWorkspace& w, SpringEnergy& energy) {
@@ -96,7 +81,7 @@ bool searchLine(const SpringModel& model, SpringWorkspace& w, SpringEnergy& ener
   constexpr int kMaxHalvings = 50;
   const double slope = dot(w.gradient, w.direction);
   if (slope >= 0) return false;
-  double step = longestStep(model, w);
+  double step = 1;
   for (int halving = 0; halving < kMaxHalvings; ++halving, step /= 2) {
     for (std::size_t i = 0; i < w.trial.size(); ++i) w.trial[i] = w.position[i] + step * w.direction[i];
     if (!areInRange(w.trial)) continue;

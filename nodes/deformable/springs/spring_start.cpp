@@ -6,7 +6,7 @@ namespace pleura {
 
 Eigen::Isometry3d carryRigidly(std::span<const Eigen::Vector3d> rest, std::span<const int> driven,
                                std::span<const Eigen::Vector3d> targets) {
-  constexpr int kMaxTurns = 100;
+  constexpr int kMaxTurns = 1000;          // fewer unless the points are nearly in a line
   constexpr double kSmallestTurn = 1e-12;  // [rad]
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   if (driven.empty()) return motion;
