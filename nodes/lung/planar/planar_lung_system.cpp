@@ -15,7 +15,9 @@ using Eigen::Vector2d;
 
 constexpr int kIterations = 200;
 constexpr double kTolerance = 1e-8;  // of the forces that balance
-constexpr double kForce = 1e-3;      // [N] smaller ones count as this
+constexpr double kShortest = 1e-9;   // [s] of a step
+constexpr double kLongest = 1e9;
+constexpr double kForce = 1e-3;  // [N] smaller ones count as this
 
 void requirePositive(double value, const char* what) {
   if (!(value > 0 && std::isfinite(value)))
@@ -100,7 +102,7 @@ PlanarLungStatus PlanarLungSystem::drawOut() {
 }
 
 PlanarLungStatus PlanarLungSystem::step(double seconds, const Vector2d& muscles) {
-  if (!(seconds > 0) || !std::isfinite(seconds)) return {};
+  if (!(seconds >= kShortest && seconds <= kLongest)) return {};
   return solve(1 / seconds, muscles);
 }
 
@@ -220,7 +222,7 @@ bool PlanarLungSystem::startFrom(double rate, const Vector2d& muscles, double se
 }
 
 PlanarLungStatus PlanarLungSystem::solve(double rate, const Vector2d& muscles) {
-  if (!muscles.allFinite() || !std::isfinite(rate * rate)) return {};
+  if (!muscles.allFinite()) return {};
   PlanarLungStatus status;
   bool isRight = (rate > 0 && startFrom(rate, muscles, 1 / rate)) || startFrom(rate, muscles, 0);
   double before = 0;  // [N] the residual the iteration before
