@@ -20,7 +20,7 @@ constexpr double kLongest = 1e9;
 constexpr double kForce = 1e-3;  // [N] smaller ones count as this
 
 void requirePositive(double value, const char* what) {
-  if (!(value > 0 && std::isfinite(value)))
+  if (!std::isfinite(value) || value <= 0)
     throw std::invalid_argument(std::string("planar lung: ") + what + " must be positive");
 }
 
@@ -28,14 +28,14 @@ void check(const PlanarLungParameters& parameters) {
   for (const planar::ChestCoordinate* c : {&parameters.diaphragm, &parameters.chestWall}) {
     requirePositive(c->mass, "mass");
     requirePositive(c->stiffness, "stiffness");
-    if (!(c->damping >= 0 && std::isfinite(c->damping)))
+    if (!std::isfinite(c->damping) || c->damping < 0)
       throw std::invalid_argument("planar lung: damping must not be negative");
   }
   requirePositive(parameters.thickness, "thickness");
   requirePositive(parameters.ambientPressure, "ambientPressure");
   requirePositive(parameters.contactPressure, "contactPressure");
   if (!std::isfinite(parameters.intrapleuralPressure) ||
-      !(parameters.intrapleuralPressure > -parameters.ambientPressure))
+      parameters.intrapleuralPressure <= -parameters.ambientPressure)
     throw std::invalid_argument("planar lung: intrapleuralPressure must be above that of a vacuum");
 }
 
@@ -102,7 +102,7 @@ PlanarLungStatus PlanarLungSystem::drawOut() {
 }
 
 PlanarLungStatus PlanarLungSystem::step(double seconds, const Vector2d& muscles) {
-  if (!(seconds >= kShortest && seconds <= kLongest)) return {};
+  if (!std::isfinite(seconds) || seconds < kShortest || seconds > kLongest) return {};
   return solve(1 / seconds, muscles);
 }
 
