@@ -197,7 +197,7 @@ bool PlanarLungSystem::factorise(double rate) {
   const double least = mean - std::hypot((chestFactor_(0, 0) - chestFactor_(1, 1)) / 2, chestFactor_(0, 1));
   const double enough = 1e-2 * stiffness_.minCoeff();
   if (least < enough) chestFactor_.diagonal().array() += enough - least;
-  return chestFactor_.allFinite();
+  return std::isfinite(chestFactor_.sum());
 }
 
 void PlanarLungSystem::direct() {
@@ -222,7 +222,7 @@ bool PlanarLungSystem::startFrom(double rate, const Vector2d& muscles, double se
 }
 
 PlanarLungStatus PlanarLungSystem::solve(double rate, const Vector2d& muscles) {
-  if (!muscles.allFinite()) return {};
+  if (!std::isfinite(muscles.x()) || !std::isfinite(muscles.y())) return {};
   PlanarLungStatus status;
   bool isRight = (rate > 0 && startFrom(rate, muscles, 1 / rate)) || startFrom(rate, muscles, 0);
   double before = 0;  // [N] the residual the iteration before
@@ -236,6 +236,7 @@ PlanarLungStatus PlanarLungSystem::solve(double rate, const Vector2d& muscles) {
     direct();
     // Along the direction, to where the slope of the potential has not turned up by more than half.
     const double slope0 = slope();
+    if (slope0 >= 0) break;  // rounding is all that is left
     double part = 1;
     for (isRight = false; !isRight && part > 1e-12;) {
       if (!evaluate(rate, muscles, part)) {
