@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include <pleura/nodes/lung/planar/planar_lung_system.h>
@@ -41,7 +42,7 @@ inline double stripArea(const PlanarLungSystem& system, std::size_t lung) {
 
 inline PlanarLungSystem drawnOut(const PlanarLungParameters& parameters = {}) {
   PlanarLungSystem system(parameters);
-  if (!system.drawOut().isConverged) std::abort();
+  if (!system.drawOut().isConverged) throw std::runtime_error("the lung was not drawn out");
   return system;
 }
 
