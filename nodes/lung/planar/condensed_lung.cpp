@@ -14,10 +14,10 @@ using Eigen::Vector2d;
 
 CondensedLung::CondensedLung(const LungMesh& mesh, const LungTissue& tissue, double thickness)
     : rest(mesh.points), outlineCount(mesh.outlineCount), firstFree(mesh.heldCount + 1) {
-  const bool isTissue = tissue.youngsModulus > 0 && std::isfinite(tissue.youngsModulus) &&
-                        tissue.poissonsRatio > -1 && tissue.poissonsRatio < 0.5 && tissue.density > 0 &&
-                        std::isfinite(tissue.density) && tissue.relaxationTime >= 0 &&
-                        std::isfinite(tissue.relaxationTime);
+  const bool isFinite = std::isfinite(tissue.youngsModulus) && std::isfinite(tissue.poissonsRatio) &&
+                        std::isfinite(tissue.density) && std::isfinite(tissue.relaxationTime);
+  const bool isTissue = isFinite && tissue.youngsModulus > 0 && tissue.poissonsRatio > -1 &&
+                        tissue.poissonsRatio < 0.5 && tissue.density > 0 && tissue.relaxationTime >= 0;
   if (!isTissue) throw std::invalid_argument("lung: tissue outside its range");
   const Index outer = 2 * outlineCount;
   const Index first = 2 * firstFree;

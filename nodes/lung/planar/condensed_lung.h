@@ -11,8 +11,9 @@ namespace pleura::planar {
 
 /// A lung seen from its outline. Nothing pushes on the points inside, so that they follow the outline as they
 /// would at rest, u_i = T u_o with T = -K_ii^-1 K_io (Guyan 1965): exact for stiffness and viscosity, and for
-/// inertia as long as a motion is slow against the lung's own swinging (about 5 Hz; a breath has 0.25 Hz).
-/// Displacements are those of the free outline points, x and y of each; the held ones do not move.
+/// inertia as long as a motion is slow against the lung's own swinging (about 1 Hz when it hangs free; a
+/// breath has 0.25 Hz). Displacements are those of the free outline points, x and y of each; the held ones do
+/// not move.
 struct CondensedLung {
   CondensedLung(const LungMesh& mesh, const LungTissue& tissue, double thickness);
 

@@ -22,15 +22,16 @@ void require(bool isRight, const char* what) {
 }
 
 void check(const HemithoraxShape& shape) {
-  require(shape.width > 0 && std::isfinite(shape.width), "width must be positive");
-  require(shape.height > 0 && std::isfinite(shape.height), "height must be positive");
+  for (const double length : {shape.width, shape.height, shape.domeHeight, shape.midlineToHilum,
+                              shape.naturalScale, shape.film, shape.woundHeight, shape.woundLength})
+    require(std::isfinite(length), "every length must be finite");
+  require(shape.width > 0, "width must be positive");
+  require(shape.height > 0, "height must be positive");
   require(shape.domeHeight > 0 && shape.domeHeight <= shape.height / 3,
           "domeHeight must be positive and at most a third of height");
-  require(shape.midlineToHilum >= 0 && std::isfinite(shape.midlineToHilum),
-          "midlineToHilum must not be negative");
+  require(shape.midlineToHilum >= 0, "midlineToHilum must not be negative");
   require(shape.naturalScale >= 0.3 && shape.naturalScale < 1, "naturalScale must be in [0.3, 1)");
   require(shape.film > 0 && shape.film < 0.05 * shape.width, "film must be positive and thin");
-  require(std::isfinite(shape.woundHeight), "woundHeight must be finite");
   require(shape.woundLength >= 0 && shape.woundLength < shape.height / 2,
           "woundLength must be in [0, height / 2)");
   require(shape.rings >= 3 && shape.rings <= 48, "rings must be in [3, 48]");

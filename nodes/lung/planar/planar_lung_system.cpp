@@ -15,10 +15,12 @@ using Eigen::Vector2d;
 
 constexpr int kIterations = 200;
 constexpr double kTolerance = 1e-8;  // of the forces that balance
-constexpr double kForce = 1e-3;      // [N] smaller ones count as this
+constexpr double kShortest = 1e-9;   // [s] of a step
+constexpr double kLongest = 1e9;
+constexpr double kForce = 1e-3;  // [N] smaller ones count as this
 
 void requirePositive(double value, const char* what) {
-  if (!(value > 0 && std::isfinite(value)))
+  if (!std::isfinite(value) || value <= 0)
     throw std::invalid_argument(std::string("planar lung: ") + what + " must be positive");
 }
 
@@ -26,14 +28,14 @@ void check(const PlanarLungParameters& parameters) {
   for (const planar::ChestCoordinate* c : {&parameters.diaphragm, &parameters.chestWall}) {
     requirePositive(c->mass, "mass");
     requirePositive(c->stiffness, "stiffness");
-    if (!(c->damping >= 0 && std::isfinite(c->damping)))
+    if (!std::isfinite(c->damping) || c->damping < 0)
       throw std::invalid_argument("planar lung: damping must not be negative");
   }
   requirePositive(parameters.thickness, "thickness");
   requirePositive(parameters.ambientPressure, "ambientPressure");
   requirePositive(parameters.contactPressure, "contactPressure");
   if (!std::isfinite(parameters.intrapleuralPressure) ||
-      !(parameters.intrapleuralPressure > -parameters.ambientPressure))
+      parameters.intrapleuralPressure <= -parameters.ambientPressure)
     throw std::invalid_argument("planar lung: intrapleuralPressure must be above that of a vacuum");
 }
 
@@ -100,7 +102,7 @@ PlanarLungStatus PlanarLungSystem::drawOut() {
 }
 
 PlanarLungStatus PlanarLungSystem::step(double seconds, const Vector2d& muscles) {
-  if (!(seconds > 0) || !std::isfinite(seconds)) return {};
+  if (!std::isfinite(seconds) || seconds < kShortest || seconds > kLongest) return {};
   return solve(1 / seconds, muscles);
 }
 
@@ -195,7 +197,7 @@ bool PlanarLungSystem::factorise(double rate) {
   const double least = mean - std::hypot((chestFactor_(0, 0) - chestFactor_(1, 1)) / 2, chestFactor_(0, 1));
   const double enough = 1e-2 * stiffness_.minCoeff();
   if (least < enough) chestFactor_.diagonal().array() += enough - least;
-  return chestFactor_.allFinite();
+  return std::isfinite(chestFactor_.sum());
 }
 
 void PlanarLungSystem::direct() {
@@ -220,7 +222,7 @@ bool PlanarLungSystem::startFrom(double rate, const Vector2d& muscles, double se
 }
 
 PlanarLungStatus PlanarLungSystem::solve(double rate, const Vector2d& muscles) {
-  if (!muscles.allFinite() || !std::isfinite(rate * rate)) return {};
+  if (!std::isfinite(muscles.x()) || !std::isfinite(muscles.y())) return {};
   PlanarLungStatus status;
   bool isRight = (rate > 0 && startFrom(rate, muscles, 1 / rate)) || startFrom(rate, muscles, 0);
   double before = 0;  // [N] the residual the iteration before
@@ -234,6 +236,7 @@ PlanarLungStatus PlanarLungSystem::solve(double rate, const Vector2d& muscles) {
     direct();
     // Along the direction, to where the slope of the potential has not turned up by more than half.
     const double slope0 = slope();
+    if (slope0 >= 0) break;  // rounding is all that is left
     double part = 1;
     for (isRight = false; !isRight && part > 1e-12;) {
       if (!evaluate(rate, muscles, part)) {

@@ -42,7 +42,8 @@ class PlanarLungSystem {
   /// start of the breath. Not converged: all is as before.
   PlanarLungStatus drawOut();
 
-  /// Advances by `seconds` > 0 under the muscles' forces [N] on diaphragm (down) and chest wall (out).
+  /// Advances by `seconds`, in [1e-9, 1e9], under the muscles' forces [N] on diaphragm (down) and chest wall
+  /// (out).
   PlanarLungStatus step(double seconds, const Eigen::Vector2d& muscles);
 
   /// Goes to equilibrium under the muscles' forces, at rest.

@@ -46,8 +46,8 @@ struct ChestCoordinate {
 /// All of the model, in SI. Of the figures for the chest none was measured: they were chosen so that a
 /// pneumothorax moves its wall out by about 1 cm and a breath takes its time from chest and lung alike.
 struct PlanarLungParameters {
-  std::vector<planar::SideParameters> lungs{
-      {}};  // any number, 0 too: they know each other by the chest alone
+  // Any number, 0 too: they know each other by the chest alone.
+  std::vector<planar::SideParameters> lungs = std::vector<planar::SideParameters>(1);
   planar::ChestCoordinate diaphragm{0.3, 120, 270};  // q > 0: the dome's middle goes down
   planar::ChestCoordinate chestWall{2, 385, 850};    // q > 0: the lower lateral wall goes out
   double thickness = 0.08;                           // [m] > 0, from front to back, of lung and pleural space
