@@ -126,8 +126,6 @@ CausalChain causalChain(const LungMechanics& lung, const PleuralInputs& inputs, 
                     .isCoupled = chain.isCoupled,
                     .isCompliant = isCompliant(lung, before) && isCompliant(lung, now)};
   chain.derived = propagate(imposed, known);
-  chain.isConsistent =
-      std::none_of(chain.derived.begin(), chain.derived.end(), [](SignSet signs) { return signs.isEmpty(); });
   chain.air = signOf(now.airFlow, band.volume);
   chain.isTurning = chain.change[Quantity::airFlow] != Sign::stands &&
                     (chain.air == Sign::stands || (before.airFlow < 0) != (now.airFlow < 0));
