@@ -87,10 +87,9 @@ bool isSmall(double pleural, double cavity, double band) {
   return std::abs(pleural) <= std::max(band / 4, std::abs(cavity) / 10);
 }
 
-bool isCoupled(const LungState& before, const LungState& now, const Rates& r, const DeadBands& band) {
+bool isCoupled(const Rates& r, const DeadBands& band) {
   return isSmall(r.pleural, r.cavity, band.volume) &&
-         isSmall(r.pleuralQuickens, r.cavityQuickens, band.flowChange) && before.tearFlow == 0 &&
-         now.tearFlow == 0;
+         isSmall(r.pleuralQuickens, r.cavityQuickens, band.flowChange);
 }
 
 Following followingOf(const Rates& r, const DeadBands& band) {
@@ -115,7 +114,7 @@ CausalChain causalChain(const LungMechanics& lung, const PleuralInputs& inputs, 
   const Rates r = ratesOf(before, now, inputs.ambientPressure, dt);
   CausalChain chain;
   chain.change = changes(r, band);
-  chain.isCoupled = isCoupled(before, now, r, band);
+  chain.isCoupled = isCoupled(r, band);
   PerQuantity<SignSet> imposed;
   imposed[Quantity::cavityVolume] = SignSet::of(r.cavity, band.volume);
   if (chain.isCoupled) imposed[Quantity::airFlow] = SignSet::of(r.cavityQuickens, band.flowChange);
@@ -126,8 +125,6 @@ CausalChain causalChain(const LungMechanics& lung, const PleuralInputs& inputs, 
                     .isCoupled = chain.isCoupled,
                     .isCompliant = isCompliant(lung, before) && isCompliant(lung, now)};
   chain.derived = propagate(imposed, known);
-  chain.isConsistent =
-      std::none_of(chain.derived.begin(), chain.derived.end(), [](SignSet signs) { return signs.isEmpty(); });
   chain.air = signOf(now.airFlow, band.volume);
   chain.isTurning = chain.change[Quantity::airFlow] != Sign::stands &&
                     (chain.air == Sign::stands || (before.airFlow < 0) != (now.airFlow < 0));

@@ -33,7 +33,6 @@ enum class Following { fully, partly, hardly, unasked };  // unasked: the wall s
 struct CausalChain {
   PerQuantity<Sign> change{};      // of the quantitative model, beyond the dead band
   PerQuantity<SignSet> derived{};  // what the qualitative model allows, given what is imposed
-  bool isConsistent = true;        // whether it allows anything
 
   bool isCoupled = true;            // pleural volume stands: the lung goes as the cavity does
   Sign air = Sign::stands;          // where air flows through the bronchus: rises is in, falls is out

@@ -14,6 +14,7 @@ bool isSum(Sign a, Sign b, Sign c) {
 
 SignSet none() { return SignSet(Sign::falls) & SignSet(Sign::rises); }
 
+// Keeps of each set the signs that some allowed choice has.
 template <class Allows>
 bool narrow(SignSet& a, SignSet& b, SignSet& c, Allows allows) {
   SignSet stillA = none(), stillB = none(), stillC = none();
@@ -30,16 +31,22 @@ bool narrow(SignSet& a, SignSet& b, SignSet& c, Allows allows) {
   return hasChanged;
 }
 
+template <class Allows>
+bool narrowPair(SignSet& a, SignSet& b, Allows allows) {
+  const SignSet beforeA = a, beforeB = b;
+  SignSet any;
+  narrow(a, b, any, [&](Sign x, Sign y, Sign) { return allows(x, y); });
+  return a != beforeA || b != beforeB;
+}
+
 }  // namespace
 
 bool narrowAlike(SignSet& a, SignSet& b) {
-  SignSet still = Sign::stands;
-  return narrow(a, still, b, isSum);
+  return narrowPair(a, b, [](Sign x, Sign y) { return x == y; });
 }
 
 bool narrowContrary(SignSet& a, SignSet& b) {
-  SignSet still = Sign::stands;
-  return narrow(a, b, still, isSum);
+  return narrowPair(a, b, [](Sign x, Sign y) { return x == opposite(y); });
 }
 
 bool narrowSum(SignSet& a, SignSet& b, SignSet& c) { return narrow(a, b, c, isSum); }

@@ -47,6 +47,30 @@ TEST(NarrowAlikeAndContrary, GoBothWays) {
   EXPECT_EQ(b, kRises);
 }
 
+// Else propagation would never end.
+TEST(SignConstraints, NarrowOnlyOnce) {
+  const SignSet sets[] = {kFalls & kRises,  kFalls,          kStands,  kRises,
+                          kFalls | kStands, kFalls | kRises, SignSet()};
+  for (const SignSet x : sets)
+    for (const SignSet y : sets) {
+      SignSet a = x, b = y;
+      narrowAlike(a, b);
+      EXPECT_FALSE(narrowAlike(a, b));
+      a = x, b = y;
+      narrowContrary(a, b);
+      EXPECT_FALSE(narrowContrary(a, b));
+      for (const SignSet z : sets) {
+        a = x, b = y;
+        SignSet c = z;
+        narrowSum(a, b, c);
+        EXPECT_FALSE(narrowSum(a, b, c));
+        a = x, b = y, c = z;
+        narrowProduct(a, b, c);
+        EXPECT_FALSE(narrowProduct(a, b, c));
+      }
+    }
+}
+
 // Numbers a + b = c with any signs: what is left always has theirs.
 TEST(NarrowSum, NeverRemovesWhatNumbersDo) {
   std::mt19937 random(3);
