@@ -190,8 +190,12 @@ bool PlanarLungSystem::factorise(double rate) {
       side.tangent.diagonal().array() += more;
       shift += more;
     }
-    side.solved = side.factor.solve(side.toChest);
-    chestFactor_ -= side.toChest.transpose() * side.solved;
+    side.solved = side.toChest;
+    for (Eigen::Index c = 0; c < 2; ++c) {
+      auto column = side.solved.col(c);
+      side.factor.solveInPlace(column);
+    }
+    chestFactor_ -= side.toChest.transpose().lazyProduct(side.solved);
   }
   const double mean = chestFactor_.trace() / 2;
   const double least = mean - std::hypot((chestFactor_(0, 0) - chestFactor_(1, 1)) / 2, chestFactor_(0, 1));
@@ -202,12 +206,12 @@ bool PlanarLungSystem::factorise(double rate) {
 
 void PlanarLungSystem::direct() {
   Vector2d rest = force_;
-  for (const Side& side : sides_) rest -= side.solved.transpose() * side.force;
+  for (const Side& side : sides_) rest -= side.solved.transpose().lazyProduct(side.force);
   direction_ = chestFactor_.inverse() * rest;
   for (Side& side : sides_) {
     side.direction = side.force;
     side.factor.solveInPlace(side.direction);
-    side.direction -= side.solved * direction_;
+    side.direction -= side.solved.lazyProduct(direction_);
   }
 }
 

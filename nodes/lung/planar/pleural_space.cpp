@@ -122,7 +122,7 @@ void PleuralSpace::addStiffness(const PleuralGas& gas, Eigen::MatrixXd& lung, Ei
   if (stiffness != 0) {
     for (Index j = 0; j < volumeGradient_.size(); ++j)
       lung.col(j) += (stiffness * volumeGradient_[j]) * volumeGradient_;
-    lungChest += volumeGradient_ * (stiffness * volumeByChest_).transpose();
+    for (Index c = 0; c < 2; ++c) lungChest.col(c) += (stiffness * volumeByChest_[c]) * volumeGradient_;
     chest += stiffness * volumeByChest_ * volumeByChest_.transpose();
   }
   chest -= gauge * thickness_ * wallCurvature_;
