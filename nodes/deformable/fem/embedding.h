@@ -24,8 +24,8 @@ struct Embedding {
 
 /// Where points [m] are in the lattice at rest. Points of the surface it was made for are in cells; those
 /// outside are extrapolated from the element the fewest cells away from the nearest cell of the grid. A point
-/// on the face between two bodies rides with one of them. Throws
-/// std::invalid_argument on points that aren't finite and on a lattice without elements.
+/// on the face between two bodies rides with one of them. Throws std::invalid_argument on points that aren't
+/// finite and on a lattice without elements.
 Embedding embed(const Lattice& lattice, std::span<const Eigen::Vector3f> points);
 
 /// Points [m] from nodes [m].
