@@ -175,7 +175,6 @@ void PleuralSpace::onInitialize() {
     input->routeNoEvent(hearChange_);
   index.routeNoEvent(organ->contactIndex);
   point.routeNoEvent(organ->contactPoint);
-  held->shape.touch();
 }
 
 void PleuralSpace::begin(double cavity) {

@@ -5,7 +5,7 @@
 #include <pleura/nodes/deformable/fem/corotational_solid.h>
 #include <pleura/nodes/deformable/fem/linear_solid.h>
 #include <pleura/nodes/deformable/fem/neo_hookean_solid.h>
-#include <pleura/tests/nodes/deformable/fem/bodies.h>
+#include <pleura/tests/nodes/deformable/fem/solid_bodies.h>
 
 // The unit cube of n^3 cells of five tetrahedra under its own weight, its face x = 0 driven to and fro: a
 // step of 16.7 ms, and what is done before the first.

@@ -70,6 +70,7 @@ FreedLung::FreedLung(const Lattice& lattice, const TriangleMesh& rest, std::span
       base_(rest.points.size()),
       slope_(rest.points.size()),
       normals_(rest.points.size()),
+      wall_(rest.points, rest.triangles),
       touches_(rest.points.size()) {
   if (!(material.compliance > 0) || !std::isfinite(material.compliance))
     throw std::invalid_argument("compliance: above 0 is expected");
@@ -165,6 +166,15 @@ bool FreedLung::touch(std::span<const Eigen::Vector3f> cavity, std::span<const E
   return hasChanged;
 }
 
+void FreedLung::keepInside(std::span<const Eigen::Vector3f> cavity, std::span<Eigen::Vector3f> points) {
+  wall_.refit(cavity);
+  for (Eigen::Vector3f& point : points) {
+    const SurfacePoint nearest = wall_.closestPoint(point.cast<double>());
+    if (wall_.pseudonormal(nearest).dot(point.cast<double>() - nearest.point) > 0)
+      point = nearest.point.cast<float>();
+  }
+}
+
 FreedLungReport FreedLung::shape(double volume, std::span<const Eigen::Vector3f> cavity,
                                  std::span<Eigen::Vector3f> points) {
   FreedLungReport report;
@@ -180,8 +190,7 @@ FreedLungReport FreedLung::shape(double volume, std::span<const Eigen::Vector3f>
     report.hasConverged = !touch(cavity, points);
   }
   report.touching = static_cast<int>(std::count(touches_.begin(), touches_.end(), char{1}));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points[i] -= std::max(normals_[i].dot(points[i] - cavity[i]), 0.0f) * normals_[i];
+  keepInside(cavity, points);
   return report;
 }
 

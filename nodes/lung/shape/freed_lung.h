@@ -5,6 +5,7 @@
 
 #include <pleura/nodes/deformable/fem/embedding.h>
 #include <pleura/nodes/deformable/fem/linear_solid.h>
+#include <pleura/nodes/deformable/mesh/surface_query.h>
 #include <pleura/nodes/deformable/mesh/triangle_mesh.h>
 
 namespace pleura {
@@ -35,8 +36,9 @@ class FreedLung {
   /// The shape of a lung of `volume` [m^3] inside a cavity, given as where each of its points would be on the
   /// wall:
   ///   K u + sum of k_i (n_i.(x_i - c_i))+ n_i = q f,  V(x) = volume.
-  /// Has no memory. Does not allocate; one call at a time. Where it has not converged, `points` are still
-  /// inside the cavity.
+  /// Each point has the wall's place and normal where it would itself be on it; what is outside then goes to
+  /// the nearest place of the wall. Has no memory. Does not allocate; one call at a time. Where it has not
+  /// converged, `points` are still inside the cavity.
   FreedLungReport shape(double volume, std::span<const Eigen::Vector3f> cavity,
                         std::span<Eigen::Vector3f> points);
 
@@ -51,6 +53,7 @@ class FreedLung {
   bool solve();
   /// Sets `points` to those of that volume; q.
   double inflate(double volume, std::span<Eigen::Vector3f> points) const;
+  void keepInside(std::span<const Eigen::Vector3f> cavity, std::span<Eigen::Vector3f> points);
   /// Which points the wall holds; whether that has changed.
   bool touch(std::span<const Eigen::Vector3f> cavity, std::span<const Eigen::Vector3f> points);
 
@@ -68,6 +71,7 @@ class FreedLung {
   NodeVectors right_, held_, byWall_, byPressure_;  // of nodes
   std::vector<Eigen::Vector3d> base_, slope_;       // of points: x = base + q slope
   std::vector<Eigen::Vector3f> normals_;
+  SurfaceQuery wall_;
   std::vector<char> touches_;
 };
 

@@ -2,7 +2,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "bodies.h"
+#include "solid_bodies.h"
 #include <gtest/gtest.h>
 
 #include <pleura/nodes/deformable/fem/element.h>

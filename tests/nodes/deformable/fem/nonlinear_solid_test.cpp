@@ -2,7 +2,7 @@
 #include <numbers>
 #include <type_traits>
 
-#include "bodies.h"
+#include "solid_bodies.h"
 #include <gtest/gtest.h>
 
 #include <pleura/nodes/deformable/fem/corotational_solid.h>

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bodies.h"
+#include "solid_bodies.h"
 #include <gtest/gtest.h>
 
 #include <pleura/nodes/deformable/fem/corotational_solid.h>

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include <pleura/x3d/browser/scene/scene.h>
+#include <pleura/tests/x3d/browser/load_scene.h>
 
 namespace pleura {
 
@@ -16,11 +16,6 @@ inline std::unique_ptr<Scene> breathingThorax() {
   auto scene = std::make_unique<Scene>();
   scene->load(sceneFolder() / "breathing_thorax.x3d");
   return scene;
-}
-
-template <class FieldClass>
-typename FieldClass::value_type valueOf(Scene& scene, const std::string& path) {
-  return dynamic_cast<FieldClass&>(scene.field(path)).getValue();
 }
 
 }  // namespace pleura
