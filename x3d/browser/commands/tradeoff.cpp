@@ -24,7 +24,7 @@ struct Options : SceneOptions {
   std::filesystem::path output;
   double seconds = 4;
   int moments = 4;
-  int elements = 250;
+  int elements = 60;
 };
 
 void write(const std::filesystem::path& file, const std::string& text) {
@@ -101,16 +101,16 @@ class Comparison {
     table_.add(run.figures);
   }
 
-  /// Lungs are closed, the diaphragm lies beside them; what is not measured is as the contacts have it.
+  /// Lungs are closed, the diaphragm lies beside them; what is not measured is as the scene has it.
   static void measureBeside(const OrganBreath& breath, const OrganBreath& other, TierRun& run) {
     const auto isLung = [](const OrganBreath& organ) { return organ.organ.starts_with("LUNG"); };
     if (isLung(breath) == isLung(other)) return;
-    Shapes filled;
-    for (const auto& moment : other.moments) filled.push_back(moment.filled);
+    Shapes shown;
+    for (const auto& moment : other.moments) shown.push_back(moment.shown);
     if (isLung(breath)) {
-      measureContact({breath.rest, other.rest.points}, run.shapes, filled, run.figures.error);
+      measureContact({breath.rest, other.rest.points}, run.shapes, shown, run.figures.error);
     } else {
-      measureContact({other.rest, breath.rest.points}, filled, run.shapes, run.figures.error);
+      measureContact({other.rest, breath.rest.points}, shown, run.shapes, run.figures.error);
     }
   }
 

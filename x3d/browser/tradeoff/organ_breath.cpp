@@ -17,6 +17,7 @@ FieldClass* fieldOf(Node& node, std::string_view name) {
 
 struct Held {
   Node* contacts;
+  Node* shape;
   OrganBreath breath;
 };
 
@@ -34,9 +35,18 @@ std::vector<Held> heldOrgans(Scene& scene) {
     breath.rigid = fieldOf<MFInt32>(*shape, "rigid_points")->getValue();
     const bool isKnown = std::any_of(held.begin(), held.end(),
                                      [&](const Held& each) { return each.breath.organ == breath.organ; });
-    if (!isKnown) held.push_back({node.get(), std::move(breath)});
+    if (!isKnown) held.push_back({node.get(), shape, std::move(breath)});
   }
   return held;
+}
+
+/// The pressure that the scene's own deformer is given.
+float pressureOn(const Held& held) {
+  auto* chosen = fieldOf<SFNode>(*held.shape, "deformer");
+  const NodePtr deformer = chosen != nullptr ? chosen->getValue() : nullptr;
+  auto* pressure = deformer ? fieldOf<SFFloat>(*deformer, "pressure") : nullptr;
+  auto* atRest = deformer ? fieldOf<SFFloat>(*deformer, "restPressure") : nullptr;
+  return pressure != nullptr && atRest != nullptr ? pressure->getValue() - atRest->getValue() : 0;
 }
 
 }  // namespace
@@ -49,8 +59,11 @@ std::vector<OrganBreath> recordBreath(Scene& scene, double seconds, int moments)
     scene.tick(time);
     for (Held& each : held) {
       each.breath.driven = fieldOf<MFInt32>(*each.contacts, "index")->getValue();
-      each.breath.moments.push_back({time, fieldOf<MFVec3f>(*each.contacts, "point")->getValue(),
-                                     fieldOf<MFVec3f>(*each.contacts, "shape")->getValue()});
+      each.breath.moments.push_back({.time = time,
+                                     .targets = fieldOf<MFVec3f>(*each.contacts, "point")->getValue(),
+                                     .filled = fieldOf<MFVec3f>(*each.contacts, "shape")->getValue(),
+                                     .shown = fieldOf<MFVec3f>(*each.shape, "deformedCoord")->getValue(),
+                                     .pressure = pressureOn(each)});
     }
   }
   std::vector<OrganBreath> breaths;

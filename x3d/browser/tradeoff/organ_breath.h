@@ -18,6 +18,8 @@ struct OrganBreath {
     Time time = 0;
     std::vector<Vec3f> targets;  // one a driven point
     std::vector<Vec3f> filled;   // all points, those between filled in smoothly
+    std::vector<Vec3f> shown;    // all points, as the scene's own deformer has them
+    float pressure = 0;          // [Pa] inside less outside, above that at rest
   };
   std::vector<Moment> moments;
 };

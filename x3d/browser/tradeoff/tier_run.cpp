@@ -31,6 +31,12 @@ std::shared_ptr<DeformerNode> deformerOf(Scene& scene, const DeformationTier& ti
   return deformer;
 }
 
+/// For a deformer that knows pressure at rest apart from pressure.
+void press(DeformerNode& deformer, float pressure) {
+  if (deformer.getField("restPressure") == nullptr) return;
+  dynamic_cast<SFFloat&>(*deformer.getField("pressure")).setValue(pressure);
+}
+
 double quantile(const std::vector<double>& sorted, double q) {
   return sorted.empty() ? 0
                         : sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
@@ -60,6 +66,7 @@ TierRun runTier(Scene& scene, const OrganBreath& breath, const DeformationTier& 
   std::vector<Vec3f> positions = breath.rest.points;
   // The first asks for what was left to set up.
   const auto& first = breath.moments.front();
+  press(*deformer, first.pressure);
   deformer->deform(breath.driven, first.targets, positions);
   const double withFirst = seconds() - begun;
   run.figures.memory = std::max(allocated() - before, 0.0);
@@ -67,6 +74,7 @@ TierRun runTier(Scene& scene, const OrganBreath& breath, const DeformationTier& 
   constexpr int kMost = 50;
   std::vector<double> times;
   for (std::size_t k = 0; k < breath.moments.size(); ++k) {
+    press(*deformer, breath.moments[k].pressure);
     double spent = 0;
     for (int repeat = 0; repeat < kMost && spent < kEnough; ++repeat) {
       begun = seconds();
