@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <pleura/fields/field_types.h>
@@ -27,6 +28,16 @@ class KeyListener {
   ~KeyListener() = default;
 };
 
+/// What a way to deform an organ costs on this machine and how far it is from the reference, as `pleura
+/// tradeoff` measured it.
+struct DeformationFigure {
+  std::string organ;                                        // DEF name
+  std::string deformer;                                     // node type; empty: the contacts' smooth fill
+  std::vector<std::pair<std::string, std::string>> fields;  // of the deformer, as text
+  double error = 0;                                         // [m] RMS
+  double cost = 0;                                          // [s] median
+};
+
 /// What a node may ask of the scene it lives in. It outlives its nodes and belongs to their thread.
 class SceneContext {
  public:
@@ -44,6 +55,11 @@ class SceneContext {
     const auto found = bindables_.find(kind);
     return found != bindables_.end() ? found->second : bindables_[std::string(kind)];
   }
+
+  /// A node of a type that the scene knows; null for another.
+  virtual NodePtr make(std::string_view /*type*/) { return nullptr; }
+  /// What was measured on this machine; none: nothing was.
+  virtual std::vector<DeformationFigure> deformationFigures() { return {}; }
 
   /// Tells the scene's author something about a node.
   virtual void warn(const Node& node, const std::string& message) = 0;

@@ -120,6 +120,15 @@ class Comparison {
   FigureTable table_;
 };
 
+/// For scenes that ask for a tolerance or a budget.
+void keep(const std::filesystem::path& figures) {
+  const auto kept = keptFigures();
+  std::error_code problem;
+  std::filesystem::create_directories(kept.parent_path(), problem);
+  std::filesystem::copy_file(figures, kept, std::filesystem::copy_options::overwrite_existing, problem);
+  if (problem) fmt::print(stderr, "{}: the figures can't be kept: {}\n", kept.string(), problem.message());
+}
+
 void compare(const Options& options) {
   std::filesystem::create_directories(options.output);
   const auto scene = options.load();
@@ -127,6 +136,7 @@ void compare(const Options& options) {
   Comparison comparison(*scene, options);
   const FigureTable& table = comparison.run();
   drawChart(table.all(), options.output);
+  keep(options.output / "tradeoff.csv");
   const std::string text = advice(table.all());
   write(options.output / "advice.txt", text + "\n");
   fmt::print("{}\n{}: tradeoff.csv, tradeoff.svg, tradeoff.png, advice.txt\n", text, options.output.string());

@@ -8,6 +8,8 @@
 #include <pleura/fields/periodic_update.h>
 #include <pleura/nodes/built_in_nodes.h>
 #include <pleura/x3d/browser/scene/scene.h>
+#include <pleura/x3d/browser/tradeoff/deformation_tier.h>
+#include <pleura/x3d/browser/tradeoff/tier_figures.h>
 #include <pleura/x3d/encoding/allowed_path.h>
 
 namespace pleura {
@@ -84,6 +86,21 @@ void Scene::set(std::string_view assignment) {
     throw FieldError(fmt::format("{}: expected {} ({}){}", assignment, bad.what(), target.getTypeName(),
                                  bad.found.empty() ? "" : ", found " + bad.found));
   }
+}
+
+NodePtr Scene::make(std::string_view type) {
+  const NodeType* known = registry_.find(type);
+  return known != nullptr ? known->create() : nullptr;
+}
+
+std::vector<DeformationFigure> Scene::deformationFigures() {
+  std::vector<DeformationFigure> figures;
+  for (const TierFigures& f : readFigures(keptFigures())) {
+    if (!f.converged || f.method == kReferenceMethod) continue;
+    const DeformationTier tier = tierOf(f.method, f.elements);
+    figures.push_back({f.organ, tier.node, tier.fields, f.error.rms, f.median});
+  }
+  return figures;
 }
 
 void Scene::warn(const Node& node, const std::string& message) {

@@ -51,6 +51,8 @@ class Scene : public SceneContext {
   const Diagnostics& diagnostics() const { return diagnostics_; }
   const NodeRegistry& registry() const { return registry_; }
 
+  NodePtr make(std::string_view type) override;
+  std::vector<DeformationFigure> deformationFigures() override;
   void warn(const Node& node, const std::string& message) override;
 
  private:

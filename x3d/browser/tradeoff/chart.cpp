@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <pleura/x3d/browser/tradeoff/chart.h>
+#include <pleura/x3d/browser/tradeoff/deformation_tier.h>
 
 namespace pleura {
 
@@ -69,7 +70,7 @@ void drawField(std::span<const TierFigures> figures, const std::string& organ, d
   using enum Drawing::Label::Anchor;
   std::vector<const TierFigures*> shown;
   for (const auto& f : figures)
-    if (f.organ == organ && f.method != "reference" && f.median > 0) shown.push_back(&f);
+    if (f.organ == organ && f.method != kReferenceMethod && f.median > 0) shown.push_back(&f);
   if (shown.empty()) return;
   const auto byCost = [](auto* a, auto* b) { return millisecondsOf(*a) < millisecondsOf(*b); };
   const auto byError = [](auto* a, auto* b) { return millimetresOf(*a) < millimetresOf(*b); };

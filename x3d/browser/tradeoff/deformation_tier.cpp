@@ -22,6 +22,14 @@ std::vector<DeformationTier> deformationTiers(int coarse) {
   return tiers;
 }
 
-DeformationTier referenceTier(int elements) { return finiteElements("reference", "NEO_HOOKEAN", elements); }
+DeformationTier tierOf(const std::string& method, int elements) {
+  for (DeformationTier& tier : deformationTiers(elements))
+    if (tier.method == method && tier.elements == elements) return std::move(tier);
+  return {};
+}
+
+DeformationTier referenceTier(int elements) {
+  return finiteElements(kReferenceMethod, "NEO_HOOKEAN", elements);
+}
 
 }  // namespace pleura

@@ -19,6 +19,11 @@ struct DeformationTier {
 /// The cheap ones first; lattices of `coarse` elements and of eight times as many.
 std::vector<DeformationTier> deformationTiers(int coarse);
 
+/// The tier of that method and number of elements; without a node for a method that there is not.
+DeformationTier tierOf(const std::string& method, int elements);
+
+inline constexpr auto kReferenceMethod = "reference";
+
 /// What all are measured against: stable Neo-Hookean, that many elements.
 DeformationTier referenceTier(int elements);
 

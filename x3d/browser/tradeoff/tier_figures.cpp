@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -43,15 +44,27 @@ bool read(const std::string& line, TierFigures& f) {
 
 }  // namespace
 
+std::filesystem::path keptFigures() {
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
+    return std::filesystem::path(cache) / "pleura/tradeoff.csv";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
+    return std::filesystem::path(home) / ".cache/pleura/tradeoff.csv";
+  return {};
+}
+
+std::vector<TierFigures> readFigures(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::vector<TierFigures> all;
+  TierFigures figures;
+  for (std::string line; std::getline(in, line);)
+    if (read(line, figures)) all.push_back(figures);
+  return all;
+}
+
 FigureTable::FigureTable(std::filesystem::path file, std::string key) : file_(std::move(file)) {
   const std::string begin = "# " + key + "\n" + kHeader + "\n";
-  std::ifstream in(file_);
-  std::string first, header;
-  if (std::getline(in, first) && std::getline(in, header) && first + "\n" + header + "\n" == begin) {
-    TierFigures figures;
-    for (std::string line; std::getline(in, line);)
-      if (read(line, figures)) all_.push_back(figures);
-  }
+  std::string first;
+  if (std::ifstream in(file_); std::getline(in, first) && first == "# " + key) all_ = readFigures(file_);
   std::ofstream out(file_, std::ios::trunc);
   out << begin;
   for (const TierFigures& figures : all_) out << lineOf(figures) << '\n';

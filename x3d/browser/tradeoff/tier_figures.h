@@ -22,6 +22,12 @@ struct TierFigures {
   ShapeError error;
 };
 
+/// Where the figures of this machine are kept: pleura/tradeoff.csv in the user's folder for caches
+/// (XDG_CACHE_HOME); empty where there is none.
+std::filesystem::path keptFigures();
+/// The figures of a table; none where it can't be read.
+std::vector<TierFigures> readFigures(const std::filesystem::path& file);
+
 /// A table of figures that grows by a line at a time, so that work which was interrupted goes on. `key` says
 /// what was measured: a file of another key is begun anew.
 class FigureTable {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -157,6 +158,161 @@ TEST(ThoraxScene, AnOrganDeformationWithoutContactsIsTold) {
   const auto scene = thoraxWith("<OrganDeformation DEF='NONE'><ChainmailDeformer/></OrganDeformation>");
   ASSERT_EQ(scene->diagnostics().all().size(), 1u);
   EXPECT_THAT(scene->diagnostics().all()[0].message, testing::HasSubstr("NONE: contacts is missing"));
+}
+
+/// Figures as `pleura tradeoff` keeps them, for as long as it lives.
+class MeasuredMachine {
+ public:
+  explicit MeasuredMachine(const std::string& rows) {
+    const char* before = std::getenv("XDG_CACHE_HOME");
+    before_ = before != nullptr ? before : "";
+    folder_.write("pleura/tradeoff.csv", "# key\norgan,method,...\n" + rows);
+    ::setenv("XDG_CACHE_HOME", folder_.path().c_str(), 1);
+  }
+  ~MeasuredMachine() {
+    before_.empty() ? ::unsetenv("XDG_CACHE_HOME") : ::setenv("XDG_CACHE_HOME", before_.c_str(), 1);
+  }
+  MeasuredMachine(const MeasuredMachine&) = delete;
+  MeasuredMachine& operator=(const MeasuredMachine&) = delete;
+
+ private:
+  const TemporaryFolder folder_;
+  std::string before_;
+};
+
+constexpr auto kFigures =
+    "LUNG_L,reference,4096,9000,9000,0,1,1,0,0,0,0,0,0\n"
+    "LUNG_L,smooth fill,0,0,0,0,0,1,3,0,0,0,0,0\n"
+    "LUNG_L,ChainMail,0,0.5,0.6,1,1,1,2,0,0,0,0,0\n"
+    "LUNG_L,linear FEM,64,0.2,0.3,1,1,1,1,0,0,0,0,0\n"
+    "LUNG_L,corotational FEM,64,40,50,1,1,0,0.1,0,0,0,0,0\n"  // has not converged
+    "LUNG_L,Neo-Hookean FEM,512,80,90,1,1,1,0.3,0,0,0,0,0\n";
+
+struct Asked {
+  const char *tolerance, *budget, *chosen;
+  bool isTold;
+};
+
+TEST(ThoraxScene, TheCheapestThatHoldsToleranceAndBudgetIsChosen) {
+  const MeasuredMachine machine(kFigures);
+  for (const Asked& asked :
+       {Asked{"0.0005", "0", "FiniteElementDeformer", false},
+        Asked{"0.0015", "0.001", "FiniteElementDeformer", false},
+        Asked{"0.0025", "0.001", "FiniteElementDeformer", false}, Asked{"0.01", "0", "", false},
+        Asked{"0.0001", "0", "FiniteElementDeformer", true},
+        Asked{"0.0005", "0.001", "FiniteElementDeformer", true}}) {
+    const auto scene =
+        thoraxWith(std::string("<OrganDeformation DEF='CHOICE' tolerance='") + asked.tolerance +
+                   "' budget='" + asked.budget +
+                   "'><LungContacts USE='LUNG_L_CONTACTS' containerField='contacts'/></OrganDeformation>");
+    EXPECT_EQ(valueOf<SFString>(*scene, "CHOICE.chosen"), asked.chosen) << asked.tolerance;
+    EXPECT_EQ(scene->diagnostics().warnings(), asked.isTold ? 1u : 0u) << asked.tolerance;
+    for (const auto& each : scene->diagnostics().all())
+      EXPECT_THAT(each.message, testing::HasSubstr("CHOICE: no way to deform LUNG_L is known to hold"));
+  }
+}
+
+TEST(ThoraxScene, WhereNothingWasMeasuredThatIsTold) {
+  const MeasuredMachine machine("");
+  const auto scene = thoraxWith(
+      "<OrganDeformation DEF='CHOICE' tolerance='0.001'><LungContacts USE='LUNG_L_CONTACTS' "
+      "containerField='contacts'/></OrganDeformation>");
+  ASSERT_EQ(scene->diagnostics().all().size(), 1u);
+  EXPECT_THAT(scene->diagnostics().all()[0].message, testing::HasSubstr("CHOICE: LUNG_L was not measured"));
+}
+
+/// Each deformer is asked for the same breath, and for what it can't do.
+class Deformer : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Deformer, KeepsWhatIsHeldAndReturnsToRest) {
+  const auto scene = thoraxWith(
+      std::string("<OrganDeformation><LungContacts USE='LUNG_L_CONTACTS' containerField='contacts'/>") +
+      GetParam() + "</OrganDeformation>");
+  scene->set("BREATH.depth=0.3");
+  scene->tick(0);
+  const auto rest = valueOf<MFVec3f>(*scene, "LUNG_L.deformedCoord");
+  scene->tick(kPeriod / 3);
+  const auto held = valueOf<MFInt32>(*scene, "LUNG_L_CONTACTS.index");
+  const auto targets = valueOf<MFVec3f>(*scene, "LUNG_L_CONTACTS.point");
+  const auto deformed = valueOf<MFVec3f>(*scene, "LUNG_L.deformedCoord");
+  for (std::size_t i = 0; i < held.size(); ++i)
+    EXPECT_EQ(deformed[static_cast<std::size_t>(held[i])], targets[i]);
+  EXPECT_GT(farthestFromRest(*scene, "LUNG_L"), 5e-3);
+  EXPECT_LT(farthestFromRest(*scene, "LUNG_L"), 6e-2);
+  scene->tick(kPeriod);
+  EXPECT_LE(farthestFromRest(*scene, "LUNG_L"), 1e-5);
+  for (const auto& each : scene->diagnostics().all()) ADD_FAILURE() << toText(each);
+}
+
+TEST_P(Deformer, ASceneWithOneGoesOnWhereTheShapeIsNone) {
+  // One triangle, flat, with a hole of a quarter, inside out, a point that is none.
+  for (const char* geometry :
+       {"<IndexedTriangleSet index='0 1 2'><Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedTriangleSet>",
+        "<IndexedTriangleSet index='0 1 2 0 2 3 0 3 1'><Coordinate point='0 0 0 1 0 0 0 1 0 0 0 "
+        "1'/></IndexedTriangleSet>",
+        "<IndexedTriangleSet index='0 1 2 0 2 3 0 3 1 1 3 2'><Coordinate point='0 0 0 1 0 0 0 1 0 0 0 "
+        "1'/></IndexedTriangleSet>",
+        "<IndexedTriangleSet index='0 1 9'><Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedTriangleSet>"}) {
+    std::string deformer = GetParam();
+    deformer.insert(deformer.find('/'), " containerField='deformer'");
+    const auto scene = sceneOf(
+        "<ImportLibrary library='\"thorax\"'/><DeformableShape2 DEF='ORGAN' contactIndex='0' "
+        "contactPoint='0.1 0 0'>" +
+        deformer + geometry + "</DeformableShape2>");
+    scene->tick(0);
+    for (const Vec3f& point : valueOf<MFVec3f>(*scene, "ORGAN.deformedCoord"))
+      EXPECT_TRUE(point.allFinite()) << geometry;
+    for (const auto& each : scene->diagnostics().all())
+      EXPECT_THAT(each.message,
+                  testing::AnyOf(testing::StartsWith("ORGAN: "), testing::HasSubstr("Deformer: ")));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfAKind, Deformer,
+                         ::testing::Values("<ChainmailDeformer/>", "<SpringDeformer/>",
+                                           "<SpringDeformer interior='VOLUME'/>",
+                                           "<FiniteElementDeformer model='LINEAR' elements='200'/>",
+                                           "<FiniteElementDeformer model='COROTATIONAL' elements='60'/>",
+                                           "<FiniteElementDeformer model='NEO_HOOKEAN' elements='60'/>"));
+
+TEST(FiniteElementDeformer, TellsWhatItCantBe) {
+  for (const char* bad :
+       {"model='CUBIC'", "poissonRatio='0.5'", "density='-1'", "youngsModulus='0'", "elements='0'"}) {
+    const auto scene = thoraxWith(
+        std::string("<OrganDeformation><LungContacts USE='LUNG_L_CONTACTS' containerField='contacts'/>"
+                    "<FiniteElementDeformer DEF='TISSUE' ") +
+        bad + "/></OrganDeformation>");
+    scene->tick(0);
+    EXPECT_EQ(valueOf<MFVec3f>(*scene, "LUNG_L.deformedCoord").size(),
+              valueOf<MFVec3f>(*scene, "LUNG_L.origCoord").size());
+    EXPECT_FALSE(scene->diagnostics().all().empty()) << bad;
+  }
+}
+
+TEST(FiniteElementDeformer, WithInertiaItGoesOnWhereTheDriveStops) {
+  const auto scene = thoraxWith(
+      "<OrganDeformation><LungContacts USE='LUNG_L_CONTACTS' containerField='contacts'/>"
+      "<FiniteElementDeformer model='LINEAR' elements='100' quasiStatic='false'/></OrganDeformation>");
+  scene->set("BREATH.depth=1");
+  const auto shape = [&] { return valueOf<MFVec3f>(*scene, "LUNG_L.deformedCoord"); };
+  double now = 0;
+  scene->tick(0);
+  shape();
+  for (; now < 1; shape()) scene->tick(now += 0.02);
+  scene->set("BREATH.paused=true");
+  scene->tick(now += 0.02);
+  const auto early = shape();
+  for (int k = 0; k < 100; ++k) {
+    scene->tick(now += 0.02);
+    shape();
+  }
+  const auto late = shape();
+  EXPECT_NE(early, late) << "damped motion goes on";
+  scene->tick(now += 0.02);
+  float moved = 0;
+  const auto last = shape();
+  for (std::size_t i = 0; i < last.size(); ++i) moved = std::max(moved, (last[i] - late[i]).norm());
+  EXPECT_LT(moved, 1e-4f) << "and comes to rest";
 }
 
 TEST(ThoraxScene, RibsTurnWithTheBreath) {
