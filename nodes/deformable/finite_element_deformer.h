@@ -44,6 +44,7 @@ class FiniteElementDeformer : public DeformerNode {
   std::vector<Field*> material();
   void makeLattice();
   void makeSolver(std::span<const int> driven);
+  bool isAtRest(std::span<const Vec3f> targets) const;
   void solve(std::span<const int> driven, std::span<const Vec3f> targets);
 
   TriangleMesh rest_;
