@@ -1,11 +1,11 @@
-#include "block_cholesky.h"
-
 #include <algorithm>
 #include <utility>
 
 #include <Eigen/Cholesky>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
+
+#include <pleura/nodes/deformable/fem/block_cholesky.h>
 
 namespace pleura {
 namespace {
@@ -139,16 +139,16 @@ std::vector<int> supernodesOf(const std::vector<std::vector<int>>& below) {
 }  // namespace
 
 BlockCholesky::BlockCholesky(const BlockPattern& pattern, std::span<const int> unknowns)
-    : _node(unknowns.begin(), unknowns.end()) {
+    : node_(unknowns.begin(), unknowns.end()) {
   std::vector<int> positionOf(pattern.rowCount(), -1);
   const auto adjacent = [&] {
-    for (std::size_t p = 0; p < _node.size(); ++p) positionOf[_node[p]] = static_cast<int>(p);
-    return adjacencyOf(pattern, positionOf, _node.size());
+    for (std::size_t p = 0; p < node_.size(); ++p) positionOf[node_[p]] = static_cast<int>(p);
+    return adjacencyOf(pattern, positionOf, node_.size());
   };
   const auto reorder = [&](const std::vector<int>& order) {
     std::vector<int> node;
-    for (const int p : order) node.push_back(_node[p]);
-    _node = node;
+    for (const int p : order) node.push_back(node_[p]);
+    node_ = node;
   };
   reorder(minimumDegree(adjacent()));
   reorder(postorder(eliminationTree(adjacent())));
@@ -158,26 +158,26 @@ BlockCholesky::BlockCholesky(const BlockPattern& pattern, std::span<const int> u
 }
 
 void BlockCholesky::layOut(const std::vector<std::vector<int>>& below, std::span<const int> firsts) {
-  const int n = static_cast<int>(_node.size());
+  const int n = static_cast<int>(node_.size());
   std::size_t size = 0;
   int mostRows = 0;
-  _supernode.resize(_node.size());
+  supernode_.resize(node_.size());
   for (std::size_t k = 0; k < firsts.size(); ++k) {
     const int first = firsts[k], last = k + 1 < firsts.size() ? firsts[k + 1] : n;
     const auto& rows = below[last - 1];
-    _supernodes.push_back({first, last, static_cast<int>(_rows.size()), static_cast<int>(rows.size()), size});
-    _rows.insert(_rows.end(), rows.begin(), rows.end());
-    std::fill(_supernode.begin() + first, _supernode.begin() + last, static_cast<int>(k));
+    supernodes_.push_back({first, last, static_cast<int>(rows_.size()), static_cast<int>(rows.size()), size});
+    rows_.insert(rows_.end(), rows.begin(), rows.end());
+    std::fill(supernode_.begin() + first, supernode_.begin() + last, static_cast<int>(k));
     const std::size_t width = last - first;
     size += 9 * width * (width + rows.size());
     mostRows = std::max(mostRows, 3 * static_cast<int>(rows.size()));
   }
-  _panels.resize(size);
-  _diagonal.resize(3 * _node.size());
-  _update.resize(at(mostRows) * at(mostRows));
-  _place.resize(_node.size());
-  _x.resize(3 * n);
-  _gathered.resize(mostRows);
+  panels_.resize(size);
+  diagonal_.resize(3 * node_.size());
+  update_.resize(at(mostRows) * at(mostRows));
+  place_.resize(node_.size());
+  x_.resize(3 * n);
+  gathered_.resize(mostRows);
 }
 
 void BlockCholesky::placeEntries(const BlockPattern& pattern, std::span<const int> positionOf) {
@@ -186,32 +186,32 @@ void BlockCholesky::placeEntries(const BlockPattern& pattern, std::span<const in
       const int p = positionOf[i], q = positionOf[pattern.column[slot]];
       if (p < 0 || q < 0) continue;
       const auto [column, row] = std::minmax(p, q);
-      const Supernode& s = _supernodes[_supernode[column]];
+      const Supernode& s = supernodes_[supernode_[column]];
       const int width = s.last - s.first;
       int place = row - s.first;
       if (row >= s.last) {
-        const auto rows = _rows.begin() + s.rows;
+        const auto rows = rows_.begin() + s.rows;
         place = width + static_cast<int>(std::lower_bound(rows, rows + s.rowCount, row) - rows);
       }
       const int stride = 3 * (width + s.rowCount);
       // The slot holds A_ij; wanted is the block of row `row`, column `column`.
-      _entries.push_back({p == row ? slot : ~slot, stride,
+      entries_.push_back({p == row ? slot : ~slot, stride,
                           s.panel + at(3 * (column - s.first)) * at(stride) + at(3 * place)});
     }
 }
 
 bool BlockCholesky::factorise(const BlockPattern& pattern, const BlockValues& values) {
-  std::fill(_panels.begin(), _panels.end(), 0);
-  for (const Entry& entry : _entries) {
-    Panel block(&_panels[entry.offset], 3, 3, Eigen::OuterStride<>(entry.stride));
+  std::fill(panels_.begin(), panels_.end(), 0);
+  for (const Entry& entry : entries_) {
+    Panel block(&panels_[entry.offset], 3, 3, Eigen::OuterStride<>(entry.stride));
     if (entry.slot >= 0)
       block = values[entry.slot];
     else
       block = values[~entry.slot].transpose();
   }
-  for (std::size_t p = 0; p < _node.size(); ++p)
-    Eigen::Vector3d::Map(&_diagonal[3 * p]) = values[pattern.begin[_node[p]]].diagonal();
-  for (const Supernode& s : _supernodes) {
+  for (std::size_t p = 0; p < node_.size(); ++p)
+    Eigen::Vector3d::Map(&diagonal_[3 * p]) = values[pattern.begin[node_[p]]].diagonal();
+  for (const Supernode& s : supernodes_) {
     if (!factorisePanel(s)) return false;
     updateAncestors(s);
   }
@@ -221,13 +221,13 @@ bool BlockCholesky::factorise(const BlockPattern& pattern, const BlockValues& va
 bool BlockCholesky::factorisePanel(const Supernode& s) {
   const int width = 3 * (s.last - s.first), below = 3 * s.rowCount;
   const Eigen::OuterStride<> stride(width + below);
-  Panel diagonal(&_panels[s.panel], width, width, stride);
+  Panel diagonal(&panels_[s.panel], width, width, stride);
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>> llt(diagonal);
   if (llt.info() != Eigen::Success) return false;
   for (int i = 0; i < width; ++i)
-    if (diagonal(i, i) * diagonal(i, i) <= kSmallestPivot * _diagonal[3 * s.first + i]) return false;
+    if (diagonal(i, i) * diagonal(i, i) <= kSmallestPivot * diagonal_[3 * s.first + i]) return false;
   if (below > 0) {
-    Panel rows(&_panels[s.panel + width], below, width, stride);
+    Panel rows(&panels_[s.panel + width], below, width, stride);
     diagonal.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rows);
   }
   return true;
@@ -236,56 +236,56 @@ bool BlockCholesky::factorisePanel(const Supernode& s) {
 void BlockCholesky::updateAncestors(const Supernode& s) {
   if (s.rowCount == 0) return;
   const int width = 3 * (s.last - s.first), below = 3 * s.rowCount;
-  const ConstPanel rows(&_panels[s.panel + width], below, width, Eigen::OuterStride<>(width + below));
-  Eigen::Map<Eigen::MatrixXd> update(_update.data(), below, below);
+  const ConstPanel rows(&panels_[s.panel + width], below, width, Eigen::OuterStride<>(width + below));
+  Eigen::Map<Eigen::MatrixXd> update(update_.data(), below, below);
   update.triangularView<Eigen::Lower>() = rows * rows.transpose();
-  const int* row = &_rows[s.rows];
+  const int* row = &rows_[s.rows];
   for (int j = 0; j < s.rowCount;) {
-    const Supernode& a = _supernodes[_supernode[row[j]]];
+    const Supernode& a = supernodes_[supernode_[row[j]]];
     const int widthA = a.last - a.first, stride = 3 * (widthA + a.rowCount);
-    for (int p = a.first; p < a.last; ++p) _place[p] = p - a.first;
-    for (int i = 0; i < a.rowCount; ++i) _place[_rows[a.rows + i]] = widthA + i;
+    for (int p = a.first; p < a.last; ++p) place_[p] = p - a.first;
+    for (int i = 0; i < a.rowCount; ++i) place_[rows_[a.rows + i]] = widthA + i;
     for (; j < s.rowCount && row[j] < a.last; ++j)
       for (int c = 0; c < 3; ++c) {
-        double* to = &_panels[a.panel + at(3 * (row[j] - a.first) + c) * at(stride)];
-        const double* from = &_update[at(3 * j + c) * at(below)];
+        double* to = &panels_[a.panel + at(3 * (row[j] - a.first) + c) * at(stride)];
+        const double* from = &update_[at(3 * j + c) * at(below)];
         for (int i = j; i < s.rowCount; ++i)
-          for (int k = 0; k < 3; ++k) to[3 * _place[row[i]] + k] -= from[3 * i + k];
+          for (int k = 0; k < 3; ++k) to[3 * place_[row[i]] + k] -= from[3 * i + k];
       }
   }
 }
 
 void BlockCholesky::solve(const NodeVectors& b, NodeVectors& x) {
-  for (std::size_t p = 0; p < _node.size(); ++p)
-    _x.segment<3>(static_cast<Eigen::Index>(3 * p)) = b[_node[p]];
-  for (const Supernode& s : _supernodes) {  // L y = b
+  for (std::size_t p = 0; p < node_.size(); ++p)
+    x_.segment<3>(static_cast<Eigen::Index>(3 * p)) = b[node_[p]];
+  for (const Supernode& s : supernodes_) {  // L y = b
     const int width = 3 * (s.last - s.first), below = 3 * s.rowCount;
     const Eigen::OuterStride<> stride(width + below);
-    auto top = _x.segment(3 * s.first, width);
-    ConstPanel(&_panels[s.panel], width, width, stride).triangularView<Eigen::Lower>().solveInPlace(top);
+    auto top = x_.segment(3 * s.first, width);
+    ConstPanel(&panels_[s.panel], width, width, stride).triangularView<Eigen::Lower>().solveInPlace(top);
     if (below == 0) continue;
-    auto sum = _gathered.head(below);
-    sum.noalias() = ConstPanel(&_panels[s.panel + width], below, width, stride) * top;
-    for (int i = 0; i < s.rowCount; ++i) _x.segment<3>(3 * _rows[s.rows + i]) -= sum.segment<3>(3 * i);
+    auto sum = gathered_.head(below);
+    sum.noalias() = ConstPanel(&panels_[s.panel + width], below, width, stride) * top;
+    for (int i = 0; i < s.rowCount; ++i) x_.segment<3>(3 * rows_[s.rows + i]) -= sum.segment<3>(3 * i);
   }
-  for (auto s = _supernodes.rbegin(); s != _supernodes.rend(); ++s) {  // L^T x = y
+  for (auto s = supernodes_.rbegin(); s != supernodes_.rend(); ++s) {  // L^T x = y
     const int width = 3 * (s->last - s->first), below = 3 * s->rowCount;
     const Eigen::OuterStride<> stride(width + below);
-    auto top = _x.segment(3 * s->first, width);
+    auto top = x_.segment(3 * s->first, width);
     if (below > 0) {
-      auto gathered = _gathered.head(below);
+      auto gathered = gathered_.head(below);
       for (int i = 0; i < s->rowCount; ++i)
-        gathered.segment<3>(3 * i) = _x.segment<3>(3 * _rows[s->rows + i]);
-      top.noalias() -= ConstPanel(&_panels[s->panel + width], below, width, stride).transpose() * gathered;
+        gathered.segment<3>(3 * i) = x_.segment<3>(3 * rows_[s->rows + i]);
+      top.noalias() -= ConstPanel(&panels_[s->panel + width], below, width, stride).transpose() * gathered;
     }
-    ConstPanel(&_panels[s->panel], width, width, stride)
+    ConstPanel(&panels_[s->panel], width, width, stride)
         .transpose()
         .triangularView<Eigen::Upper>()
         .solveInPlace(top);
   }
   std::fill(x.begin(), x.end(), Eigen::Vector3d::Zero());
-  for (std::size_t p = 0; p < _node.size(); ++p)
-    x[_node[p]] = _x.segment<3>(static_cast<Eigen::Index>(3 * p));
+  for (std::size_t p = 0; p < node_.size(); ++p)
+    x[node_[p]] = x_.segment<3>(static_cast<Eigen::Index>(3 * p));
 }
 
 }  // namespace pleura

@@ -27,12 +27,12 @@ class BlockCholesky {
   /// x := A^-1 b at the unknowns, 0 at the other nodes. b and x may be the same. After factorise() said true.
   void solve(const NodeVectors& b, NodeVectors& x);
 
-  std::size_t factorSize() const { return _panels.size(); }  ///< numbers kept
+  std::size_t factorSize() const { return panels_.size(); }  ///< numbers kept
 
  private:
   struct Supernode {
     int first, last;    // positions [first, last)
-    int rows;           // where its rows below begin in _rows
+    int rows;           // where its rows below begin in rows_
     int rowCount;       // in nodes
     std::size_t panel;  // where its panel begins: columns of height 3 (last - first + rowCount)
   };
@@ -48,17 +48,17 @@ class BlockCholesky {
   bool factorisePanel(const Supernode& s);
   void updateAncestors(const Supernode& s);
 
-  std::vector<int> _node;       // [position] the unknown there
-  std::vector<int> _supernode;  // [position]
-  std::vector<Supernode> _supernodes;
-  std::vector<int> _rows;  // positions
-  std::vector<Entry> _entries;
-  std::vector<double> _panels;
-  std::vector<double> _diagonal;  // of A, [3 position + i]
-  std::vector<double> _update;    // work space
-  std::vector<int> _place;        // work space, [position]
-  Eigen::VectorXd _x;             // work space, by position
-  Eigen::VectorXd _gathered;      // work space
+  std::vector<int> node_;       // [position] the unknown there
+  std::vector<int> supernode_;  // [position]
+  std::vector<Supernode> supernodes_;
+  std::vector<int> rows_;  // positions
+  std::vector<Entry> entries_;
+  std::vector<double> panels_;
+  std::vector<double> diagonal_;  // of A, [3 position + i]
+  std::vector<double> update_;    // work space
+  std::vector<int> place_;        // work space, [position]
+  Eigen::VectorXd x_;             // work space, by position
+  Eigen::VectorXd gathered_;      // work space
 };
 
 }  // namespace pleura

@@ -1,6 +1,6 @@
-#include "block_matrix.h"
-
 #include <algorithm>
+
+#include <pleura/nodes/deformable/fem/block_matrix.h>
 
 namespace pleura {
 

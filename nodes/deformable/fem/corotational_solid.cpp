@@ -1,10 +1,9 @@
-#include "corotational_solid.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include <pleura/nodes/deformable/fem/corotational_solid.h>
 #include <pleura/nodes/deformable/fem/rotation.h>
 
 namespace pleura {
@@ -18,20 +17,20 @@ constexpr std::size_t kMostPoints = 8;
 CorotationalSolid::CorotationalSolid(const SolidMesh& mesh, const SolidMaterial& material,
                                      const SolidConstraints& constraints, const CorotationalOptions& options)
     : NewtonSolid(makeSolidBody(mesh, material, constraints), options),
-      _options(options),
-      _rotation(_body.elements.weight.size(), Eigen::Matrix3d::Identity()),
-      _nodeRotation(_body.rest.size(), Eigen::Matrix3d::Identity()),
-      _factor(_body.pattern, _body.unknowns) {
+      options_(options),
+      rotation_(body_.elements.weight.size(), Eigen::Matrix3d::Identity()),
+      nodeRotation_(body_.rest.size(), Eigen::Matrix3d::Identity()),
+      factor_(body_.pattern, body_.unknowns) {
   if (options.linearIterations < 1 || !std::isfinite(options.linearTolerance) || options.linearTolerance <= 0)
     throw std::invalid_argument(
         "solid: linear iterations below 1, or a linear tolerance that is not positive");
-  for (NodeVectors* x : {&_r, &_z, &_p, &_Ap}) x->assign(_body.rest.size(), Eigen::Vector3d::Zero());
+  for (NodeVectors* x : {&r_, &z_, &p_, &_Ap}) x->assign(body_.rest.size(), Eigen::Vector3d::Zero());
   start();
 }
 
 double CorotationalSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
-  const SolidElements& elements = _body.elements;
-  const auto [lambda, mu] = _body.lame;
+  const SolidElements& elements = body_.elements;
+  const auto [lambda, mu] = body_.lame;
   const int n = elements.nodesPerElement, points = elements.pointsPerElement;
   std::fill(forces.begin(), forces.end(), Eigen::Vector3d::Zero());
   std::array<Eigen::Matrix3d, kMostPoints> stretch;  // F - R
@@ -52,7 +51,7 @@ double CorotationalSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
       volume += w;
       mean += w * theta[k];
       energy += w * mu * (stretch[k].squaredNorm() - theta[k] * theta[k] / 3);
-      _rotation[q] = R;
+      rotation_[q] = R;
     }
     mean /= volume;
     energy += volume * (0.5 * lambda + mu / 3) * mean * mean;
@@ -60,7 +59,7 @@ double CorotationalSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
       const int q = e * points + k;
       const Eigen::Vector3d* g = elements.gradientsAt(q);
       const double pressure = (lambda + 2. / 3 * mu) * mean - 2. / 3 * mu * theta[k];
-      const Eigen::Matrix3d P = elements.weight[q] * (2 * mu * stretch[k] + pressure * _rotation[q]);
+      const Eigen::Matrix3d P = elements.weight[q] * (2 * mu * stretch[k] + pressure * rotation_[q]);
       for (int a = 0; a < n; ++a) forces[node[a]] -= P * g[a];
     }
   }
@@ -68,9 +67,9 @@ double CorotationalSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
 }
 
 void CorotationalSolid::assemble(BlockValues& K) {
-  const SolidElements& elements = _body.elements;
+  const SolidElements& elements = body_.elements;
   const int n = elements.nodesPerElement, points = elements.pointsPerElement;
-  std::fill(_nodeRotation.begin(), _nodeRotation.end(), Eigen::Matrix3d::Zero());
+  std::fill(nodeRotation_.begin(), nodeRotation_.end(), Eigen::Matrix3d::Zero());
   std::array<std::array<Eigen::Vector3d, kMostNodes>, kMostPoints> turned;
   std::array<Eigen::Vector3d, kMostNodes> mean;
   for (int e = 0; e < elements.count(); ++e) {
@@ -82,68 +81,68 @@ void CorotationalSolid::assemble(BlockValues& K) {
       const double w = elements.weight[q];
       volume += w;
       for (int a = 0; a < n; ++a) {
-        turned[k][a] = _rotation[q] * elements.gradientsAt(q)[a];
+        turned[k][a] = rotation_[q] * elements.gradientsAt(q)[a];
         mean[a] += w * turned[k][a];
-        _nodeRotation[node[a]] += w * _rotation[q];
+        nodeRotation_[node[a]] += w * rotation_[q];
       }
     }
     for (int a = 0; a < n; ++a) mean[a] /= volume;
-    const int* slot = &_body.elementSlots[e * n * (n + 1) / 2];
+    const int* slot = &body_.elementSlots[e * n * (n + 1) / 2];
     for (int k = 0; k < points; ++k) {
       const double w = elements.weight[e * points + k];
       const int* next = slot;
       for (int a = 0; a < n; ++a)
         for (int b = a; b < n; ++b)
-          addBlock(K, *next++, stiffnessBlock(_body.lame, w, turned[k][a], turned[k][b], mean[a], mean[b]));
+          addBlock(K, *next++, stiffnessBlock(body_.lame, w, turned[k][a], turned[k][b], mean[a], mean[b]));
     }
   }
-  for (auto& R : _nodeRotation) R = nearestRotation(R);
+  for (auto& R : nodeRotation_) R = nearestRotation(R);
   // Springs hold places, not turned ones: turned, their stiff part of the factor would fit none.
-  for (const int node : _body.constraints.soft.node) _nodeRotation[node].setIdentity();
+  for (const int node : body_.constraints.soft.node) nodeRotation_[node].setIdentity();
 }
 
 bool CorotationalSolid::prepare(double h) {
   // The tangent at rest, whose rotations are none; those of the state come back after.
-  BlockValues tangent(_body.pattern.slotCount(), Eigen::Matrix3d::Zero());
-  auto rotation = std::vector<Eigen::Matrix3d>(_rotation.size(), Eigen::Matrix3d::Identity());
-  std::swap(rotation, _rotation);
+  BlockValues tangent(body_.pattern.slotCount(), Eigen::Matrix3d::Zero());
+  auto rotation = std::vector<Eigen::Matrix3d>(rotation_.size(), Eigen::Matrix3d::Identity());
+  std::swap(rotation, rotation_);
   assemble(tangent);
-  std::swap(rotation, _rotation);
-  addSoftStiffness(_body, tangent);
-  for (auto& block : tangent) block *= 1 + _body.stiffnessDamping / h;
-  for (std::size_t i = 0; i < _body.mass.size(); ++i)
-    tangent[_body.pattern.begin[i]].diagonal().array() += (1 / h + _body.massDamping) / h * _body.mass[i];
-  return _factor.factorise(_body.pattern, tangent);
+  std::swap(rotation, rotation_);
+  addSoftStiffness(body_, tangent);
+  for (auto& block : tangent) block *= 1 + body_.stiffnessDamping / h;
+  for (std::size_t i = 0; i < body_.mass.size(); ++i)
+    tangent[body_.pattern.begin[i]].diagonal().array() += (1 / h + body_.massDamping) / h * body_.mass[i];
+  return factor_.factorise(body_.pattern, tangent);
 }
 
 void CorotationalSolid::precondition(const NodeVectors& r, NodeVectors& z) {
-  for (std::size_t i = 0; i < r.size(); ++i) z[i] = _nodeRotation[i].transpose() * r[i];
-  _factor.solve(z, z);
-  for (auto i : _body.unknowns) z[i] = _nodeRotation[i] * z[i];
+  for (std::size_t i = 0; i < r.size(); ++i) z[i] = nodeRotation_[i].transpose() * r[i];
+  factor_.solve(z, z);
+  for (auto i : body_.unknowns) z[i] = nodeRotation_[i] * z[i];
 }
 
 bool CorotationalSolid::solve(const BlockValues& A, const NodeVectors& b, NodeVectors& d, int& iterations) {
   std::fill(d.begin(), d.end(), Eigen::Vector3d::Zero());
-  for (std::size_t i = 0; i < b.size(); ++i) _r[i] = _body.isUnknown[i] ? b[i] : Eigen::Vector3d::Zero();
-  const double enough = _options.linearTolerance * flat(_r).norm();
+  for (std::size_t i = 0; i < b.size(); ++i) r_[i] = body_.isUnknown[i] ? b[i] : Eigen::Vector3d::Zero();
+  const double enough = options_.linearTolerance * flat(r_).norm();
   if (enough <= 0) return true;
-  precondition(_r, _z);
-  std::copy(_z.begin(), _z.end(), _p.begin());
-  double rz = flat(_r).dot(flat(_z));
-  for (int i = 0; i < _options.linearIterations; ++i) {
-    multiply(_body.pattern, A, _p, _Ap);
-    for (const auto& c : _body.couplings) _Ap[c.fixed].setZero();
+  precondition(r_, z_);
+  std::copy(z_.begin(), z_.end(), p_.begin());
+  double rz = flat(r_).dot(flat(z_));
+  for (int i = 0; i < options_.linearIterations; ++i) {
+    multiply(body_.pattern, A, p_, _Ap);
+    for (const auto& c : body_.couplings) _Ap[c.fixed].setZero();
     ++iterations;
-    const double curvature = flat(_p).dot(flat(_Ap));
+    const double curvature = flat(p_).dot(flat(_Ap));
     if (curvature <= 0) break;  // rounding, the tangent being semidefinite
     const double step = rz / curvature;
-    flat(d) += step * flat(_p);
-    flat(_r) -= step * flat(_Ap);
-    if (flat(_r).norm() <= enough) break;
-    precondition(_r, _z);
+    flat(d) += step * flat(p_);
+    flat(r_) -= step * flat(_Ap);
+    if (flat(r_).norm() <= enough) break;
+    precondition(r_, z_);
     const double before = rz;
-    rz = flat(_r).dot(flat(_z));
-    flat(_p) = flat(_z) + rz / before * flat(_p);
+    rz = flat(r_).dot(flat(z_));
+    flat(p_) = flat(z_) + rz / before * flat(p_);
   }
   return flat(d).cwiseAbs().maxCoeff() > 0;
 }

@@ -28,11 +28,11 @@ class CorotationalSolid : public NewtonSolid {
   bool solve(const BlockValues& A, const NodeVectors& b, NodeVectors& d, int& iterations) override;
   void precondition(const NodeVectors& r, NodeVectors& z);
 
-  CorotationalOptions _options;
-  std::vector<Eigen::Matrix3d> _rotation;      // [point]
-  std::vector<Eigen::Matrix3d> _nodeRotation;  // [node]
-  BlockCholesky _factor;
-  NodeVectors _r, _z, _p, _Ap;  // of the conjugate gradients
+  CorotationalOptions options_;
+  std::vector<Eigen::Matrix3d> rotation_;      // [point]
+  std::vector<Eigen::Matrix3d> nodeRotation_;  // [node]
+  BlockCholesky factor_;
+  NodeVectors r_, z_, p_, _Ap;  // of the conjugate gradients
 };
 
 }  // namespace pleura

@@ -1,5 +1,3 @@
-#include "element.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,8 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+
+#include <pleura/nodes/deformable/fem/element.h>
 
 namespace pleura {
 namespace {

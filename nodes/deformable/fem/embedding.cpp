@@ -89,22 +89,4 @@ void addTransposed(const Embedding& embedding, std::span<const Vector3d> pointFo
       nodeForces[embedding.nodes[k]] += embedding.weights[k] * pointForces[i];
 }
 
-Eigen::SparseMatrix<double, Eigen::RowMajor> weightRows(const Embedding& embedding,
-                                                        std::span<const int> points) {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(8 * points.size());
-  for (int row = 0; row < std::ssize(points); ++row) {
-    const int point = points[row];
-    if (point < 0 || point >= embedding.size())
-      throw std::invalid_argument("points: point " + std::to_string(point) + " of " +
-                                  std::to_string(embedding.size()));
-    for (std::size_t k = 8 * static_cast<std::size_t>(point); k < 8 * (static_cast<std::size_t>(point) + 1);
-         ++k)
-      entries.emplace_back(row, embedding.nodes[k], embedding.weights[k]);
-  }
-  Eigen::SparseMatrix<double, Eigen::RowMajor> rows(std::ssize(points), embedding.nodeCount);
-  rows.setFromTriplets(entries.begin(), entries.end());
-  return rows;
-}
-
 }  // namespace pleura

@@ -4,14 +4,13 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <pleura/nodes/deformable/fem/lattice.h>
 
 namespace pleura {
 
 /// Points that ride in a lattice's elements: x_i = sum over a of w_ia X_a, X the element's nodes. The
-/// functions below allocate nothing but for weightRows, and take spans as long as the points (or all nodes).
+/// functions below allocate nothing, and take spans as long as the points (or all nodes).
 struct Embedding {
   std::vector<int> elements;    // one a point
   std::vector<int> nodes;       // eight a point: its element's
@@ -36,10 +35,5 @@ void interpolate(const Embedding& embedding, std::span<const Eigen::Vector3d> no
 /// same moment, and of the same power as the points move with the nodes.
 void addTransposed(const Embedding& embedding, std::span<const Eigen::Vector3d> pointForces,
                    std::span<Eigen::Vector3d> nodeForces);
-
-/// A row for each of the points chosen, a column for each node: each of x, y and z of the points is W times
-/// that of the nodes. Throws std::invalid_argument on points out of range.
-Eigen::SparseMatrix<double, Eigen::RowMajor> weightRows(const Embedding& embedding,
-                                                        std::span<const int> points);
 
 }  // namespace pleura

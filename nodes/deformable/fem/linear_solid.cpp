@@ -1,7 +1,7 @@
-#include "linear_solid.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include <pleura/nodes/deformable/fem/linear_solid.h>
 
 namespace pleura {
 namespace {
@@ -34,88 +34,88 @@ BlockValues stiffnessOf(const SolidBody& body) {
 
 LinearSolid::LinearSolid(const SolidMesh& mesh, const SolidMaterial& material,
                          const SolidConstraints& constraints)
-    : _body(makeSolidBody(mesh, material, constraints)),
-      _state{_body.rest, NodeVectors(_body.rest.size(), Eigen::Vector3d::Zero())},
-      _stiffness(stiffnessOf(_body)),
-      _total(_stiffness),
-      _system(_stiffness),
-      _factor(_body.pattern, _body.unknowns) {
-  addSoftStiffness(_body, _total);
-  for (NodeVectors* x : {&_displacement, &_restoring, &_load, &_right, &_move, &_correction,
-                         &_newDisplacement, &_newRestoring, &_residual})
-    x->assign(_body.rest.size(), Eigen::Vector3d::Zero());
+    : body_(makeSolidBody(mesh, material, constraints)),
+      state_{body_.rest, NodeVectors(body_.rest.size(), Eigen::Vector3d::Zero())},
+      stiffness_(stiffnessOf(body_)),
+      total_(stiffness_),
+      system_(stiffness_),
+      factor_(body_.pattern, body_.unknowns) {
+  addSoftStiffness(body_, total_);
+  for (NodeVectors* x : {&displacement_, &restoring_, &load_, &right_, &move_, &correction_,
+                         &newDisplacement_, &newRestoring_, &residual_})
+    x->assign(body_.rest.size(), Eigen::Vector3d::Zero());
 }
 
 bool LinearSolid::setState(const SolidState& state) {
-  if (!isUsable(_body, state)) return false;
-  _state.position.assign(state.position.begin(), state.position.end());
-  _state.velocity.assign(state.velocity.begin(), state.velocity.end());
-  flat(_displacement) = flat(_state.position) - flat(_body.rest);
-  multiply(_body.pattern, _total, _displacement, _restoring);
+  if (!isUsable(body_, state)) return false;
+  state_.position.assign(state.position.begin(), state.position.end());
+  state_.velocity.assign(state.velocity.begin(), state.velocity.end());
+  flat(displacement_) = flat(state_.position) - flat(body_.rest);
+  multiply(body_.pattern, total_, displacement_, restoring_);
   return true;
 }
 
 double LinearSolid::energy() const {
   double twice = 0;
-  NodeVectors force(_body.rest.size());
-  multiply(_body.pattern, _stiffness, _displacement, force);
-  for (std::size_t i = 0; i < force.size(); ++i) twice += force[i].dot(_displacement[i]);
+  NodeVectors force(body_.rest.size());
+  multiply(body_.pattern, stiffness_, displacement_, force);
+  for (std::size_t i = 0; i < force.size(); ++i) twice += force[i].dot(displacement_[i]);
   return 0.5 * twice;
 }
 
 bool LinearSolid::prepare(double h) {
-  if (h == _factorisedFor) return !_isSingular;
+  if (h == factorisedFor_) return !isSingular_;
   const double rate = 1 / h;  // 0 when static
-  for (std::size_t slot = 0; slot < _system.size(); ++slot)
-    _system[slot] = (1 + _body.stiffnessDamping * rate) * _total[slot];
-  for (std::size_t i = 0; i < _body.mass.size(); ++i)
-    _system[_body.pattern.begin[i]].diagonal().array() += (rate + _body.massDamping) * rate * _body.mass[i];
-  _factorisedFor = h;
-  _isSingular = !_factor.factorise(_body.pattern, _system);
-  return !_isSingular;
+  for (std::size_t slot = 0; slot < system_.size(); ++slot)
+    system_[slot] = (1 + body_.stiffnessDamping * rate) * total_[slot];
+  for (std::size_t i = 0; i < body_.mass.size(); ++i)
+    system_[body_.pattern.begin[i]].diagonal().array() += (rate + body_.massDamping) * rate * body_.mass[i];
+  factorisedFor_ = h;
+  isSingular_ = !factor_.factorise(body_.pattern, system_);
+  return !isSingular_;
 }
 
-// r = load + M v0/h - S u1 - (1/h^2 + alpha/h) M d - beta/h S d, of the step d = _move to u1 =
-// _newDisplacement.
+// r = load + M v0/h - S u1 - (1/h^2 + alpha/h) M d - beta/h S d, of the step d = move_ to u1 =
+// newDisplacement_.
 void LinearSolid::residualAfter(double h, NodeVectors& residual) {
-  const double rate = 1 / h, damping = _body.stiffnessDamping * rate;
-  flat(_newDisplacement) = flat(_displacement) + flat(_move);
-  multiply(_body.pattern, _total, _newDisplacement, _newRestoring);
+  const double rate = 1 / h, damping = body_.stiffnessDamping * rate;
+  flat(newDisplacement_) = flat(displacement_) + flat(move_);
+  multiply(body_.pattern, total_, newDisplacement_, newRestoring_);
   for (std::size_t i = 0; i < residual.size(); ++i)
-    residual[i] = _load[i] - _newRestoring[i] - damping * (_newRestoring[i] - _restoring[i]) +
-                  _body.mass[i] * rate * (_state.velocity[i] - (rate + _body.massDamping) * _move[i]);
+    residual[i] = load_[i] - newRestoring_[i] - damping * (newRestoring_[i] - restoring_[i]) +
+                  body_.mass[i] * rate * (state_.velocity[i] - (rate + body_.massDamping) * move_[i]);
 }
 
 SolidReport LinearSolid::step(double h, const SolidLoad& load) {
-  if (!isUsableStep(h) || !isUsable(_body, load)) return {SolidOutcome::badInput};
+  if (!isUsableStep(h) || !isUsable(body_, load)) return {SolidOutcome::badInput};
   if (!prepare(h)) return {SolidOutcome::singular};
   // A d = load + M v0/h - S u0, d known at the fixed nodes.
   const double rate = 1 / h;
   if (load.forces.empty())
-    std::fill(_load.begin(), _load.end(), Eigen::Vector3d::Zero());
+    std::fill(load_.begin(), load_.end(), Eigen::Vector3d::Zero());
   else
-    std::copy(load.forces.begin(), load.forces.end(), _load.begin());
-  addSoftForces(_body, load, _body.rest, _load);
-  prescribe(_body, load, _state.position, _move);
-  for (std::size_t i = 0; i < _right.size(); ++i)
-    _right[i] = _load[i] - _restoring[i] + _body.mass[i] * rate * _state.velocity[i];
-  subtractFixed(_body, _system, _move, _right);
-  const double scale = freeNorm(_body, _right) + flat(_restoring).norm();
+    std::copy(load.forces.begin(), load.forces.end(), load_.begin());
+  addSoftForces(body_, load, body_.rest, load_);
+  prescribe(body_, load, state_.position, move_);
+  for (std::size_t i = 0; i < right_.size(); ++i)
+    right_[i] = load_[i] - restoring_[i] + body_.mass[i] * rate * state_.velocity[i];
+  subtractFixed(body_, system_, move_, right_);
+  const double scale = freeNorm(body_, right_) + flat(restoring_).norm();
 
   SolidReport report;
   for (; report.iterations < kMostSolves && (report.iterations == 0 || report.residual > kRefined);
        ++report.iterations) {
-    _factor.solve(report.iterations == 0 ? _right : _residual, _correction);
-    flat(_move) += flat(_correction);
-    residualAfter(h, _residual);
-    const double left = freeNorm(_body, _residual);
+    factor_.solve(report.iterations == 0 ? right_ : residual_, correction_);
+    flat(move_) += flat(correction_);
+    residualAfter(h, residual_);
+    const double left = freeNorm(body_, residual_);
     report.residual = scale > 0 ? left / scale : 0;
   }
-  for (std::size_t i = 0; i < _move.size(); ++i) _correction[i] = _body.rest[i] + _newDisplacement[i];
-  std::swap(_state.position, _correction);
-  std::swap(_displacement, _newDisplacement);
-  std::swap(_restoring, _newRestoring);
-  flat(_state.velocity) = rate * flat(_move);
+  for (std::size_t i = 0; i < move_.size(); ++i) correction_[i] = body_.rest[i] + newDisplacement_[i];
+  std::swap(state_.position, correction_);
+  std::swap(displacement_, newDisplacement_);
+  std::swap(restoring_, newRestoring_);
+  flat(state_.velocity) = rate * flat(move_);
   if (report.residual > kConverged) report.outcome = SolidOutcome::stopped;
   return report;
 }

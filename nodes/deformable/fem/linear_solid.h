@@ -14,29 +14,29 @@ class LinearSolid : public SolidSolver {
   LinearSolid(const SolidMesh& mesh, const SolidMaterial& material, const SolidConstraints& constraints);
 
   SolidReport step(double h, const SolidLoad& load) override;
-  const SolidState& state() const override { return _state; }
+  const SolidState& state() const override { return state_; }
   bool setState(const SolidState& state) override;
   double energy() const override;
-  int degenerateCount() const override { return _body.elements.degenerateCount; }
+  int degenerateCount() const override { return body_.elements.degenerateCount; }
 
-  const SolidBody& body() const { return _body; }
-  const BlockValues& stiffness() const { return _stiffness; }  ///< K, without soft points [N/m]
+  const SolidBody& body() const { return body_; }
+  const BlockValues& stiffness() const { return stiffness_; }  ///< K, without soft points [N/m]
 
  private:
   bool prepare(double h);
   void residualAfter(double h, NodeVectors& residual);
 
-  SolidBody _body;
-  SolidState _state;
-  BlockValues _stiffness;  // K
-  BlockValues _total;      // S
-  BlockValues _system;     // A = (1/h^2 + alpha/h) M + (1 + beta/h) S
-  BlockCholesky _factor;
-  double _factorisedFor = 0;  // h; 0: none
-  bool _isSingular = false;
-  NodeVectors _displacement, _restoring;  // u, and S u of the state
+  SolidBody body_;
+  SolidState state_;
+  BlockValues stiffness_;  // K
+  BlockValues total_;      // S
+  BlockValues system_;     // A = (1/h^2 + alpha/h) M + (1 + beta/h) S
+  BlockCholesky factor_;
+  double factorisedFor_ = 0;  // h; 0: none
+  bool isSingular_ = false;
+  NodeVectors displacement_, restoring_;  // u, and S u of the state
   // Work space.
-  NodeVectors _load, _right, _move, _correction, _newDisplacement, _newRestoring, _residual;
+  NodeVectors load_, right_, move_, correction_, newDisplacement_, newRestoring_, residual_;
 };
 
 }  // namespace pleura

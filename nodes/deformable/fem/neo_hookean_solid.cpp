@@ -1,5 +1,3 @@
-#include "neo_hookean_solid.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,19 +6,13 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include <pleura/nodes/deformable/fem/neo_hookean_solid.h>
+#include <pleura/nodes/deformable/fem/rotation.h>
+
 namespace pleura {
 namespace {
 
 constexpr std::size_t kMostNodes = 8;
-
-// dJ/dF.
-Eigen::Matrix3d cofactor(const Eigen::Matrix3d& F) {
-  Eigen::Matrix3d c;
-  c.col(0) = F.col(1).cross(F.col(2));
-  c.col(1) = F.col(2).cross(F.col(0));
-  c.col(2) = F.col(0).cross(F.col(1));
-  return c;
-}
 
 double determinant(const Eigen::Matrix3d& F) { return F.col(0).dot(F.col(1).cross(F.col(2))); }
 
@@ -65,15 +57,15 @@ std::array<Mode, 9> modesOf(const Eigen::Matrix3d& F, double da, double dda, dou
 NeoHookeanSolid::NeoHookeanSolid(const SolidMesh& mesh, const SolidMaterial& material,
                                  const SolidConstraints& constraints, const NewtonOptions& options)
     : NewtonSolid(makeSolidBody(mesh, material, constraints), options),
-      _F(_body.elements.weight.size(), Eigen::Matrix3d::Identity()),
-      _meanJacobian(_body.elements.count(), 1),
-      _factor(_body.pattern, _body.unknowns) {
+      _F(body_.elements.weight.size(), Eigen::Matrix3d::Identity()),
+      meanJacobian_(body_.elements.count(), 1),
+      factor_(body_.pattern, body_.unknowns) {
   start();
 }
 
 double NeoHookeanSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
-  const SolidElements& elements = _body.elements;
-  const auto [lambda, mu] = _body.lame;
+  const SolidElements& elements = body_.elements;
+  const auto [lambda, mu] = body_.lame;
   const double kappa = lambda + 2. / 3 * mu;
   const int n = elements.nodesPerElement, points = elements.pointsPerElement;
   std::fill(forces.begin(), forces.end(), Eigen::Vector3d::Zero());
@@ -90,7 +82,7 @@ double NeoHookeanSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
       mean += elements.weight[q] * determinant(F);
     }
     mean /= volume;
-    _meanJacobian[e] = mean;
+    meanJacobian_[e] = mean;
     energy += volume * 0.5 * kappa * (mean - 1) * (mean - 1);
     for (int q = e * points; q < (e + 1) * points; ++q) {
       const Eigen::Vector3d* g = elements.gradientsAt(q);
@@ -106,14 +98,14 @@ double NeoHookeanSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
 }
 
 void NeoHookeanSolid::assemble(BlockValues& K) {
-  const SolidElements& elements = _body.elements;
-  const auto [lambda, mu] = _body.lame;
+  const SolidElements& elements = body_.elements;
+  const auto [lambda, mu] = body_.lame;
   const double kappa = lambda + 2. / 3 * mu;
   const int n = elements.nodesPerElement, points = elements.pointsPerElement;
   std::array<Eigen::Vector3d, kMostNodes> row;
   std::array<Eigen::Vector3d, kMostNodes> mean;  // dm/dx_a, times the volume
   for (int e = 0; e < elements.count(); ++e) {
-    const int* slots = &_body.elementSlots[e * n * (n + 1) / 2];
+    const int* slots = &body_.elementSlots[e * n * (n + 1) / 2];
     const auto addOuter = [&](double scale, const std::array<Eigen::Vector3d, kMostNodes>& v) {
       const int* slot = slots;
       for (int a = 0; a < n; ++a)
@@ -126,7 +118,7 @@ void NeoHookeanSolid::assemble(BlockValues& K) {
       const Eigen::Matrix3d& F = _F[q];
       const double w = elements.weight[q], I = F.squaredNorm(), J = determinant(F);
       const double da = 2. / 3 * mu * (I / (I + 1)), dda = 2. / 3 * mu / ((I + 1) * (I + 1));
-      const double db = mu * ((J - 1) / 6 - 1) + kappa * (_meanJacobian[e] - 1), ddb = mu / 6;
+      const double db = mu * ((J - 1) / 6 - 1) + kappa * (meanJacobian_[e] - 1), ddb = mu / 6;
       for (const Mode& mode : modesOf(F, da, dda, db, ddb)) {
         if (mode.value <= 0) continue;
         for (int a = 0; a < n; ++a) row[a] = mode.shape * g[a];
@@ -142,8 +134,8 @@ void NeoHookeanSolid::assemble(BlockValues& K) {
 
 bool NeoHookeanSolid::solve(const BlockValues& A, const NodeVectors& b, NodeVectors& d, int& iterations) {
   ++iterations;
-  if (!_factor.factorise(_body.pattern, A)) return false;
-  _factor.solve(b, d);
+  if (!factor_.factorise(body_.pattern, A)) return false;
+  factor_.solve(b, d);
   return true;
 }
 

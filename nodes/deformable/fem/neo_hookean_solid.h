@@ -23,8 +23,8 @@ class NeoHookeanSolid : public NewtonSolid {
   bool solve(const BlockValues& A, const NodeVectors& b, NodeVectors& d, int& iterations) override;
 
   std::vector<Eigen::Matrix3d> _F;    // [point]
-  std::vector<double> _meanJacobian;  // [element]
-  BlockCholesky _factor;
+  std::vector<double> meanJacobian_;  // [element]
+  BlockCholesky factor_;
 };
 
 }  // namespace pleura

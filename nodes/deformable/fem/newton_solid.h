@@ -17,13 +17,13 @@ struct NewtonOptions {
 class NewtonSolid : public SolidSolver {
  public:
   SolidReport step(double h, const SolidLoad& load) override;
-  const SolidState& state() const override { return _state; }
+  const SolidState& state() const override { return state_; }
   bool setState(const SolidState& state) override;
-  double energy() const override { return _energy; }
-  int degenerateCount() const override { return _body.elements.degenerateCount; }
+  double energy() const override { return energy_; }
+  int degenerateCount() const override { return body_.elements.degenerateCount; }
 
-  const SolidBody& body() const { return _body; }
-  const NodeVectors& elasticForces() const { return _forces; }  ///< -dE/dx at the state [N]
+  const SolidBody& body() const { return body_; }
+  const NodeVectors& elasticForces() const { return forces_; }  ///< -dE/dx at the state [N]
 
  protected:
   /// Throws std::invalid_argument as makeSolidBody does, and on options out of range.
@@ -43,7 +43,7 @@ class NewtonSolid : public SolidSolver {
   /// To be called once by the constructor of what derives from this.
   void start();
 
-  const SolidBody _body;
+  const SolidBody body_;
 
  private:
   bool moveTo(double h, const SolidLoad& load, const NodeVectors& move);
@@ -51,21 +51,21 @@ class NewtonSolid : public SolidSolver {
   void assembleSystem(double h);
   SolidReport failure(SolidOutcome outcome, const SolidReport& report);
 
-  NewtonOptions _options;
-  SolidState _state;
-  NodeVectors _forces;  // elastic, at the state
-  double _energy = 0;   // likewise
-  double _preparedFor = 0;
-  bool _isSingular = false;
-  bool _isEvaluated = false;  // whether evaluate() has last seen the state
-  double _stiffnessNorm = 0;  // of the diagonal at rest [N/m]
-  double _energyScale = 0;    // mu times the volume [J]
-  BlockValues _tangent, _dampingTangent, _system;
+  NewtonOptions options_;
+  SolidState state_;
+  NodeVectors forces_;  // elastic, at the state
+  double energy_ = 0;   // likewise
+  double preparedFor_ = 0;
+  bool isSingular_ = false;
+  bool isEvaluated_ = false;  // whether evaluate() has last seen the state
+  double stiffnessNorm_ = 0;  // of the diagonal at rest [N/m]
+  double energyScale_ = 0;    // mu times the volume [J]
+  BlockValues tangent_, dampingTangent_, system_;
   // Work space: a move d from x0 and what was found there.
-  NodeVectors _move, _trial, _direction, _position, _newForces, _residual, _damped;
-  double _potential = 0;  // Phi, less what is the same for all x [J]
-  double _magnitude = 0;  // of its terms, to tell rounding
-  double _newEnergy = 0;
+  NodeVectors move_, trial_, direction_, position_, newForces_, residual_, damped_;
+  double potential_ = 0;  // Phi, less what is the same for all x [J]
+  double magnitude_ = 0;  // of its terms, to tell rounding
+  double newEnergy_ = 0;
 };
 
 }  // namespace pleura

@@ -1,23 +1,14 @@
-#include "rotation.h"
-
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <pleura/nodes/deformable/fem/rotation.h>
+
 namespace pleura {
 namespace {
 
 constexpr int kMostSteps = 12;
-
-// The columns of det(F) F^-T.
-Eigen::Matrix3d cofactor(const Eigen::Matrix3d& F) {
-  Eigen::Matrix3d c;
-  c.col(0) = F.col(1).cross(F.col(2));
-  c.col(1) = F.col(2).cross(F.col(0));
-  c.col(2) = F.col(0).cross(F.col(1));
-  return c;
-}
 
 // As a quaternion: the greatest eigenvector of Horn's (1987) matrix.
 Eigen::Matrix3d nearestRotationByEigenvector(const Eigen::Matrix3d& F) {

@@ -1,9 +1,9 @@
-#include "solid_body.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+#include <pleura/nodes/deformable/fem/solid_body.h>
 
 namespace pleura {
 namespace {

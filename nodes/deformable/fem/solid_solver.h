@@ -12,7 +12,7 @@ namespace pleura {
 
 /// Points of a body held by springs, as the sparse rows of W: point r is at the sum of weight[k] times the
 /// position of node[k], k from begin[r] to begin[r + 1] - 1. Towards its target t_r it is pulled by
-/// stiffness (t_r - (W x)_r) [N].
+/// stiffness (t_r - (W x)r_) [N].
 struct SoftPoints {
   std::vector<int> begin{0};
   std::vector<int> node;

@@ -78,25 +78,6 @@ TEST(Embedding, TransposedKeepsForceMomentAndPower) {
   EXPECT_LT(std::abs(power), 1e-11);
 }
 
-TEST(Embedding, RowsAreTheSameMap) {
-  const TriangleMesh mesh = shapes::torus(40, 20);
-  const Lattice lattice = makeLattice(mesh, {.elements = 500});
-  const Embedding embedding = embed(lattice, mesh.points);
-  const std::vector<int> chosen = {7, 3, 700, 3};
-  const auto rows = weightRows(embedding, chosen);
-  ASSERT_EQ(rows.rows(), 4);
-  ASSERT_EQ(rows.cols(), std::ssize(lattice.solid.nodes));
-  EXPECT_LE(rows.nonZeros(), 32);
-  const auto nodes = randomVectors(lattice.solid.nodes.size(), 4);
-  const auto points = interpolated(embedding, nodes);
-  Eigen::MatrixX3d stacked(rows.cols(), 3);
-  for (int a = 0; a < rows.cols(); ++a) stacked.row(a) = nodes[a];
-  const Eigen::MatrixX3d product = rows * stacked;
-  for (int i = 0; i < 4; ++i) EXPECT_LT((product.row(i).transpose() - points[chosen[i]]).norm(), 1e-14);
-  EXPECT_THROW(weightRows(embedding, std::vector{0, 800}), std::invalid_argument);
-  EXPECT_THROW(weightRows(embedding, std::vector{-1}), std::invalid_argument);
-}
-
 TEST(Embedding, OfPartsApartTiesEachPointToItsOwn) {
   const TriangleMesh cube = shapes::cube();
   const TriangleMesh mesh = bodies::together(cube, bodies::placed(cube, {1.3, 0, 0}));
