@@ -55,8 +55,8 @@ void FiniteElementDeformer::declare(NodeType& type) {
   type.field<&FiniteElementDeformer::model>("model", inputOutput, "COROTATIONAL")
       .means("LINEAR: small rotations; COROTATIONAL: large ones; NEO_HOOKEAN: large strains, the reference");
   type.field<&FiniteElementDeformer::elements>("elements", inputOutput, 2000)
-      .within(1, 1000000)
-      .means("cubes of the lattice, about");
+      .within(1, 20000)
+      .means("cubes of the lattice, about; memory grows faster than they do, 0.1 GB for 4,000");
   type.field<&FiniteElementDeformer::density>("density", inputOutput, 250)
       .measuredIn(Unit::density)
       .positive(1e5)
@@ -66,7 +66,7 @@ void FiniteElementDeformer::declare(NodeType& type) {
       .positive(1e12)
       .means("E; a lung of 2 kPa has the compliance that is measured (0.1 L/cmH2O)");
   type.field<&FiniteElementDeformer::poissonRatio>("poissonRatio", inputOutput, 0.3f)
-      .within(0, 0.4999)
+      .within(0, 0.49995)
       .means("nu; near 0.5 the volume stands");
   type.field<&FiniteElementDeformer::massDamping>("massDamping", inputOutput, 0)
       .within(0, 1e6)

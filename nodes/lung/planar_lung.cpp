@@ -36,7 +36,7 @@ void PlanarLung::declare(NodeType& type) {
       .means("at 2000 Pa the lung fills its cavity at -5 cmH2O");
   type.field<&PlanarLung::poissonRatio>("poissonRatio", initializeOnly,
                                         static_cast<float>(tissue.poissonsRatio))
-      .within(0, 0.4999)
+      .within(0, 0.49995)
       .means("of lung tissue and air together");
   type.field<&PlanarLung::density>("density", initializeOnly, static_cast<float>(tissue.density))
       .measuredIn(Unit::density)

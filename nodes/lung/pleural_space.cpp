@@ -75,7 +75,7 @@ void declareLung(NodeType& type) {
       .within(1e3, 1e7)
       .means("at the mouth and at a wound; the pressures told are above it");
   type.field<&PleuralSpace::poissonRatio>("poissonRatio", initializeOnly, 0.3f)
-      .within(0, 0.4999)
+      .within(0, 0.49995)
       .means("of the lung that gas has set free; Young's modulus follows from compliance");
   type.field<&PleuralSpace::elements>("elements", initializeOnly, 300)
       .within(1, 20000)

@@ -158,7 +158,7 @@ void addTradeoffCommand(CLI::App& app) {
   command
       ->add_option("--elements", options->elements,
                    "Elements of the coarsest lattice; the reference has 64 times as many")
-      ->check(numberIn(8, 10000));
+      ->check(numberIn(8, 300));
   command->callback([options] { compare(*options); });
 }
 
