@@ -16,7 +16,7 @@ namespace {
 
 struct Options {
   std::string type;
-  std::vector<std::string> libraries = {"thorax"};
+  std::vector<std::string> libraries = {"thorax", "lung"};
   bool markdown = false;
   bool xsd = false;
 };
