@@ -32,7 +32,7 @@ SoftPoints heldBy(const Embedding& embedding, std::span<const int> driven, doubl
 }
 
 /// What targets in float are known to [m]: a drive of less is none, and can't be balanced.
-constexpr float kRounding = 1e-7f;
+constexpr float kTargetRounding = 1e-7f;
 
 std::unique_ptr<SolidSolver> solverFor(const std::string& model, const SolidMesh& mesh,
                                        const SolidMaterial& material, const SolidConstraints& held) {
@@ -148,7 +148,8 @@ void FiniteElementDeformer::makeSolver(std::span<const int> driven) {
 
 bool FiniteElementDeformer::isAtRest(std::span<const Vec3f> targets) const {
   for (std::size_t i = 0; i < targets.size(); ++i)
-    if ((targets[i] - rest_.points[static_cast<std::size_t>(driven_[i])]).norm() > kRounding) return false;
+    if ((targets[i] - rest_.points[static_cast<std::size_t>(driven_[i])]).norm() > kTargetRounding)
+      return false;
   return true;
 }
 

@@ -7,12 +7,7 @@
 #include <pleura/nodes/deformable/fem/rotation.h>
 
 namespace pleura {
-namespace {
-
-constexpr std::size_t kMostNodes = 8;
-constexpr std::size_t kMostPoints = 8;
-
-}  // namespace
+namespace {}  // namespace
 
 CorotationalSolid::CorotationalSolid(const SolidMesh& mesh, const SolidMaterial& material,
                                      const SolidConstraints& constraints, const CorotationalOptions& options)
@@ -33,8 +28,8 @@ double CorotationalSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
   const auto [lambda, mu] = body_.lame;
   const int n = elements.nodesPerElement, points = elements.pointsPerElement;
   std::fill(forces.begin(), forces.end(), Eigen::Vector3d::Zero());
-  std::array<Eigen::Matrix3d, kMostPoints> stretch;  // F - R
-  std::array<double, kMostPoints> theta;
+  std::array<Eigen::Matrix3d, kMostElementPoints> stretch;  // F - R
+  std::array<double, kMostElementPoints> theta;
   double energy = 0;
   for (int e = 0; e < elements.count(); ++e) {
     const int* node = elements.nodesOf(e);
@@ -70,8 +65,8 @@ void CorotationalSolid::assemble(BlockValues& K) {
   const SolidElements& elements = body_.elements;
   const int n = elements.nodesPerElement, points = elements.pointsPerElement;
   std::fill(nodeRotation_.begin(), nodeRotation_.end(), Eigen::Matrix3d::Zero());
-  std::array<std::array<Eigen::Vector3d, kMostNodes>, kMostPoints> turned;
-  std::array<Eigen::Vector3d, kMostNodes> mean;
+  std::array<std::array<Eigen::Vector3d, kMostElementNodes>, kMostElementPoints> turned;
+  std::array<Eigen::Vector3d, kMostElementNodes> mean;
   for (int e = 0; e < elements.count(); ++e) {
     const int* node = elements.nodesOf(e);
     mean.fill(Eigen::Vector3d::Zero());

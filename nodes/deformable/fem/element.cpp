@@ -15,9 +15,8 @@ namespace {
 constexpr double kFarthest = 1e6;   // [m]
 constexpr double kFlattest = 1e-9;  // volume over cube of diameter
 constexpr double kLargestConstant = 1e15;
-constexpr int kMostNodes = 8;
 
-using Gradients = std::array<Eigen::Vector3d, kMostNodes>;
+using Gradients = std::array<Eigen::Vector3d, kMostElementNodes>;
 
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("solid: " + what); }
 

@@ -8,6 +8,8 @@
 
 namespace pleura {
 
+inline constexpr int kMostElementNodes = 8, kMostElementPoints = 8;
+
 /// The elements of a body at rest, isoparametric, as flat arrays: linear tetrahedra with one quadrature
 /// point, trilinear hexahedra with 2 x 2 x 2. Dilatation is to be taken from the mean gradient (B-bar, Hughes
 /// 1980), with which hexahedra do not lock as nu approaches 0.5; of a tetrahedron it is the gradient itself.

@@ -12,8 +12,6 @@
 namespace pleura {
 namespace {
 
-constexpr std::size_t kMostNodes = 8;
-
 double determinant(const Eigen::Matrix3d& F) { return F.col(0).dot(F.col(1).cross(F.col(2))); }
 
 // An eigenvalue of d2E/dF2 and its matrix, of norm 1.
@@ -102,11 +100,11 @@ void NeoHookeanSolid::assemble(BlockValues& K) {
   const auto [lambda, mu] = body_.lame;
   const double kappa = lambda + 2. / 3 * mu;
   const int n = elements.nodesPerElement, points = elements.pointsPerElement;
-  std::array<Eigen::Vector3d, kMostNodes> row;
-  std::array<Eigen::Vector3d, kMostNodes> mean;  // dm/dx_a, times the volume
+  std::array<Eigen::Vector3d, kMostElementNodes> row;
+  std::array<Eigen::Vector3d, kMostElementNodes> mean;  // dm/dx_a, times the volume
   for (int e = 0; e < elements.count(); ++e) {
     const int* slots = &body_.elementSlots[e * n * (n + 1) / 2];
-    const auto addOuter = [&](double scale, const std::array<Eigen::Vector3d, kMostNodes>& v) {
+    const auto addOuter = [&](double scale, const std::array<Eigen::Vector3d, kMostElementNodes>& v) {
       const int* slot = slots;
       for (int a = 0; a < n; ++a)
         for (int b = a; b < n; ++b) addBlock(K, *slot++, scale * v[a] * v[b].transpose());

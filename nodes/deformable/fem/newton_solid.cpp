@@ -8,7 +8,6 @@
 namespace pleura {
 namespace {
 
-constexpr double kFarthest = 1e9;
 constexpr int kMostHalvings = 30;
 constexpr double kSufficient = 1e-4;      // Armijo's
 constexpr double kRounding = 1e-14;       // of an energy
@@ -76,7 +75,7 @@ bool NewtonSolid::moveTo(double h, const SolidLoad& load, const NodeVectors& mov
   potential_ = std::numeric_limits<double>::infinity();
   for (const auto& d : move)
     for (const double x : d)
-      if (!std::isfinite(x) || std::abs(x) > kFarthest) return false;
+      if (!std::isfinite(x) || std::abs(x) > kFarthestNode) return false;
   flat(position_) = flat(state_.position) + flat(move);
   newEnergy_ = evaluate(position_, newForces_);
   const double rate = 1 / h, soft = softEnergy(body_, load, position_);

@@ -8,8 +8,6 @@
 namespace pleura {
 namespace {
 
-constexpr double kFarthest = 1e9;
-
 [[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("solid: " + what); }
 
 void check(const SolidConstraints& constraints, int nodeCount) {
@@ -41,7 +39,7 @@ void check(const SolidConstraints& constraints, int nodeCount) {
 bool areUsable(std::span<const Eigen::Vector3d> vectors) {
   for (const auto& vector : vectors)
     for (const double x : vector)
-      if (!std::isfinite(x) || std::abs(x) > kFarthest) return false;
+      if (!std::isfinite(x) || std::abs(x) > kFarthestNode) return false;
   return true;
 }
 

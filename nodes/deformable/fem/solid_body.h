@@ -9,6 +9,9 @@
 
 namespace pleura {
 
+/// Coordinates and forces beyond this are refused [m, N].
+inline constexpr double kFarthestNode = 1e9;
+
 /// What the solvers of a body share: its elements, masses, constraints and the pattern of its matrices.
 struct SolidBody {
   SolidElements elements;
