@@ -50,16 +50,20 @@ void DeformableShape2::onInitialize() {
   for (Field* input :
        std::initializer_list<Field*>{&deformer, &origCoord, &rigid_points, &contactIndex, &contactPoint})
     input->routeNoEvent(deformedCoord, id);
+  hearDeformer();
   deformedCoord.routeNoEvent(volume, id);
   deformedCoord.routeNoEvent(top, id);
-  deformedCoord.touch();
-  origCoord.touch();
   deformedCoord.routeNoEvent(touchedCoord, id);
   for (MFVec3f* touch : {&composed->contactPoint, &composed->contactNormal})
     touch->routeNoEvent(touchedCoord, id);
   composed->contactDepth.routeNoEvent(touchedCoord, id);
-  touchedCoord.touch();
-  touchedCoord.route(coordinate->point);
+  touchedCoord.routeNoEvent(coordinate->point);
+  origCoord.touch();
+}
+
+void DeformableShape2::hearDeformer() {
+  if (auto* solver = deformer.get())
+    for (Field* input : solver->inputs()) input->routeNoEvent(deformedCoord, id);
 }
 
 bool DeformableShape2::givesWay() {
@@ -82,7 +86,7 @@ void DeformableShape2::takeRest() {
   if (solver == nullptr) return;
   const TriangleMesh& shape = rest();
   slot_.assign(shape.points.size(), -1);
-  for (Field* input : solver->inputs()) input->routeNoEvent(deformedCoord, id);
+  hearDeformer();
   solver->setRest(shape, restRigid_);
 }
 

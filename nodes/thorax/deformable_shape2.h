@@ -61,6 +61,8 @@ class DeformableShape2 : public X3DShapeNode, public TouchableShape {
   virtual const std::vector<int>& rigidPoints() { return rigid_points.getValue(); }
 
  private:
+  /// Fields that the deformer's answer depends on are inputs of the shape's, those of a later deformer too.
+  void hearDeformer();
   void deform(std::vector<Vec3f>& positions);
   bool givesWay();
   void takeRest();

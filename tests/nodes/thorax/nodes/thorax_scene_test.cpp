@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <pleura/nodes/standard/rendering/coordinate.h>
+#include <pleura/nodes/standard/rendering/x3d_composed_geometry_node.h>
+#include <pleura/nodes/thorax/deformable_shape2.h>
 #include <pleura/tests/nodes/thorax/nodes/thorax_scene.h>
 #include <pleura/tests/x3d/temporary_folder.h>
 #include <pleura/x3d/browser/scene/state_hash.h>
@@ -49,6 +52,35 @@ double farthestFromRest(Scene& scene, const std::string& organ) {
 TEST(ThoraxScene, LoadsWithoutFault) {
   const auto scene = breathingThorax();
   for (const auto& each : scene->diagnostics().all()) ADD_FAILURE() << toText(each);
+}
+
+/// What is shown of an organ: the points of its geometry's Coordinate.
+const std::vector<Vec3f>& shown(DeformableShape2& organ) {
+  auto& geometry = dynamic_cast<X3DComposedGeometryNode&>(*organ.geometry.getValue());
+  return dynamic_cast<Coordinate&>(*geometry.coord.getValue()).point.getValue();
+}
+
+TEST(ThoraxScene, EveryOrganIsShownFromTheFirstTickAndMoves) {
+  for (const bool breathes : {false, true}) {
+    Scene scene;
+    scene.load(sceneFolder() / "anatomy/thorax.x3d");
+    scene.tick(0);
+    int organs = 0;
+    for (const auto& [name, node] : scene.document().names) {
+      auto* organ = dynamic_cast<DeformableShape2*>(node.get());
+      if (organ == nullptr) continue;
+      ++organs;
+      EXPECT_EQ(shown(*organ), organ->origCoord.getValue()) << name;
+      if (breathes) {
+        for (const auto& [rib, turning] : scene.document().names)
+          if (Field* inflation = turning->getField("inflation")) inflation->setValueFromString("1");
+        EXPECT_NE(shown(*organ), organ->origCoord.getValue()) << name;
+        for (const auto& [rib, turning] : scene.document().names)
+          if (Field* inflation = turning->getField("inflation")) inflation->setValueFromString("0");
+      }
+    }
+    EXPECT_EQ(organs, 20 + 3) << "cartilages, lungs and diaphragm";
+  }
 }
 
 TEST(ThoraxScene, QuietBreath) {
