@@ -9,6 +9,7 @@
 #include <pleura/nodes/deformable/fem/pressure.h>
 #include <pleura/nodes/deformable/finite_element_deformer.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/precision.h>
 
 namespace pleura {
 
@@ -118,12 +119,11 @@ void FiniteElementDeformer::makeLattice() {
   lattice_ = pleura::makeLattice(rest_, {.elements = elements.getValue()});
   embedding_ = embed(*lattice_, rest_.points);
   points_.resize(rest_.points.size());
-  std::transform(rest_.points.begin(), rest_.points.end(), points_.begin(),
-                 [](const Vec3f& p) { return Eigen::Vector3d(p.cast<double>()); });
-  pointForces_.assign(rest_.points.size(), Eigen::Vector3d::Zero());
-  addPressureForces(1, points_, rest_.triangles, pointForces_);
+  inDouble(rest_.points, points_);
+  std::vector<Eigen::Vector3d> onPoints(rest_.points.size(), Eigen::Vector3d::Zero());
+  addPressureForces(1, points_, rest_.triangles, onPoints);
   pull_.assign(lattice_->solid.nodes.size(), Eigen::Vector3d::Zero());
-  addTransposed(embedding_, pointForces_, pull_);
+  addTransposed(embedding_, onPoints, pull_);
   forces_ = pull_;
   solver_.reset();
   elementCount.setValue(lattice_->report.elements, id);
@@ -161,7 +161,7 @@ void FiniteElementDeformer::solve(std::span<const int> driven, std::span<const V
       !std::equal(driven.begin(), driven.end(), driven_.begin(), driven_.end()))
     makeSolver(driven);
   solverStamp_ = stamp;
-  for (std::size_t i = 0; i < targets.size(); ++i) targets_[i] = targets[i].cast<double>();
+  inDouble(targets, targets_);
   double h = std::numeric_limits<double>::infinity();
   if (quasiStatic.getValue()) {
     solver_->setState(atRest_);
@@ -187,12 +187,10 @@ void FiniteElementDeformer::solve(std::span<const int> driven, std::span<const V
 void FiniteElementDeformer::deform(std::span<const int> driven, std::span<const Vec3f> targets,
                                    std::span<Vec3f> positions) {
   requireFinite(targets);
-  if (!lattice_) makeLattice();
   if (driven.empty()) return void(std::copy(rest_.points.begin(), rest_.points.end(), positions.begin()));
   solve(driven, targets);
   interpolate(embedding_, solver_->state().position, points_);
-  std::transform(points_.begin(), points_.end(), positions.begin(),
-                 [](const Eigen::Vector3d& p) { return Vec3f(p.cast<float>()); });
+  inFloat(points_, positions);
   for (std::size_t i = 0; i < driven.size(); ++i) positions[static_cast<std::size_t>(driven[i])] = targets[i];
 }
 

@@ -56,7 +56,7 @@ class FiniteElementDeformer : public DeformerNode {
   SolidState atRest_;
   Time time_ = 0;
   // Work space.
-  std::vector<Eigen::Vector3d> targets_, points_, pointForces_;
+  std::vector<Eigen::Vector3d> targets_, points_;
   std::vector<Eigen::Vector3d> pull_;    // of a pressure of 1 Pa on the nodes, at rest [N]
   std::vector<Eigen::Vector3d> forces_;  // on the nodes [N]
 };

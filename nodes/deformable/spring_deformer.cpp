@@ -4,6 +4,7 @@
 
 #include <pleura/nodes/core/scene_context.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/precision.h>
 #include <pleura/nodes/deformable/spring_deformer.h>
 
 namespace pleura {
@@ -70,15 +71,14 @@ void SpringDeformer::deform(std::span<const int> driven, std::span<const Vec3f> 
   for (Field* input : inputs()) stamp = std::max(stamp, input->getStamp());
   if (!model_ || stamp != modelStamp_) makeModel();
   targets_.resize(targets.size());
-  for (std::size_t i = 0; i < targets.size(); ++i) targets_[i] = targets[i].cast<double>();
+  inDouble(targets, targets_);
   const SpringReport report = solveSprings(*model_, *workspace_, driven, targets_, {}, positions_);
   iterations.setValue(report.iterations, id);
   residual.setValue(static_cast<float>(report.residual), id);
   interiorPressure.setValue(static_cast<float>(report.pressure), id);
   converged.setValueIfChanged(report.converged, id);
   if (report.refused) throw std::invalid_argument("the springs refuse those driven points");
-  std::transform(positions_.begin(), positions_.end(), positions.begin(),
-                 [](const Eigen::Vector3d& p) { return Vec3f(p.cast<float>()); });
+  inFloat(positions_, positions);
   for (std::size_t i = 0; i < driven.size(); ++i) positions[static_cast<std::size_t>(driven[i])] = targets[i];
 }
 

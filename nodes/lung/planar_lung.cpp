@@ -115,7 +115,7 @@ void PlanarLung::fillPleuraIndex(std::vector<int>& index) {
 
 /// The lung's outline, and then the wall.
 void PlanarLung::fillPleuraPoint(std::vector<Vec3f>& points) {
-  fillLungPoint(points);
+  points = lungPoint.getValue(id);
   auto* system = now();
   if (system == nullptr) return;
   points.resize(static_cast<std::size_t>(system->hemithorax(number_).lung.outlineCount));

@@ -177,6 +177,17 @@ void PleuralSpace::onInitialize() {
   point.routeNoEvent(organ->contactPoint);
 }
 
+void PleuralSpace::beginAt(Time time, double cavity) {
+  freed_.reset();
+  isRefused_ = false;
+  try {
+    begin(cavity);
+    time_ = time;
+  } catch (const std::invalid_argument& refused) {
+    context().warn(*this, refused.what());
+  }
+}
+
 void PleuralSpace::begin(double cavity) {
   auto& organ = *contacts.get()->organ.get();
   const RestingLung atRest{.volume = std::abs(signedVolume(organ.rest().points, organ.rest().triangles)),
@@ -233,19 +244,15 @@ const LungState& PleuralSpace::now() {
   if (shape.size() != rest.points.size() || shape.empty()) return state_;
   const Time time = context().time.getValue();
   const std::uint64_t stamp = held->organ.get()->origCoord.getStamp();
-  const double cavity = std::abs(signedVolume(shape, rest.triangles));
-  try {
-    if (stamp != restStamp_) {
+  const bool isNew = stamp != restStamp_;
+  if (isNew || time > time_) {
+    const double cavity = std::abs(signedVolume(shape, rest.triangles));
+    if (isNew) {
       restStamp_ = stamp;
-      freed_.reset();
-      isRefused_ = false;
-      begin(cavity);
-      time_ = time;
+      beginAt(time, cavity);
     }
-  } catch (const std::invalid_argument& refused) {
-    context().warn(*this, refused.what());
+    if (time > time_) advanceTo(time, cavity);
   }
-  if (time > time_) advanceTo(time, cavity);
   time_ = time;
   takeInputs();
   return state_;

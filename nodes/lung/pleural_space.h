@@ -112,6 +112,8 @@ class PleuralSpace : public X3DChildNode {
   HearChange hearChange_{*this};
 
   void onKey();
+  /// Starts anew with the lung's rest shape, in balance with the cavity; where it can't, that is told.
+  void beginAt(Time time, double cavity);
   void begin(double cavity);
   void advanceTo(Time time, double cavity);
   void takeInputs();

@@ -80,8 +80,8 @@ DocumentBuilder::Open DocumentBuilder::openNode(std::string_view name, const Att
     return {Open::Kind::skipped};
   }
   Open opened{Open::Kind::node, type->create(), type->containerField(), tag};
-  const Place place = source_.placeAt(source_.tagBefore(tag));
-  opened.node->setPlace({file_, place.line, place.column});
+  const auto [line, column] = source_.lineAndColumn(source_.tagBefore(tag));
+  opened.node->setPlace({file_, line, column});
   if (const auto field = valueOf(attributes, "containerField"); !field.empty()) opened.containerField = field;
   if (const auto def = valueOf(attributes, "DEF"); !def.empty()) define(std::string(def), opened.node, tag);
   setFields(*opened.node, attributes, tag);

@@ -45,6 +45,11 @@ SourceText SourceText::fromFile(const std::filesystem::path& file) {
 }
 
 Place SourceText::placeAt(std::size_t offset) const {
+  const auto [line, column] = lineAndColumn(offset);
+  return {name_, line, column};
+}
+
+std::pair<int, int> SourceText::lineAndColumn(std::size_t offset) const {
   offset = std::min(offset, text_.size());
   if (lineStarts_.empty()) {
     lineStarts_.push_back(0);
@@ -52,8 +57,7 @@ Place SourceText::placeAt(std::size_t offset) const {
       lineStarts_.push_back(end + 1);
   }
   const auto next = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), offset);
-  return {name_, static_cast<int>(next - lineStarts_.begin()),
-          static_cast<int>(offset - *std::prev(next)) + 1};
+  return {static_cast<int>(next - lineStarts_.begin()), static_cast<int>(offset - *std::prev(next)) + 1};
 }
 
 std::size_t SourceText::tagBefore(std::size_t end) const {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <pleura/x3d/encoding/diagnostics.h>
@@ -25,7 +26,8 @@ class SourceText {
   const std::string& name() const { return name_; }
   const std::string& text() const { return text_; }
 
-  /// Line and column of a byte.
+  /// Line and column of a byte, counted from 1.
+  std::pair<int, int> lineAndColumn(std::size_t offset) const;
   Place placeAt(std::size_t offset) const;
   /// The start of the tag that ends at or before `end`.
   std::size_t tagBefore(std::size_t end) const;

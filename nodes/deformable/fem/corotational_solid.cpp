@@ -105,8 +105,7 @@ bool CorotationalSolid::prepare(double h) {
   std::swap(rotation, rotation_);
   addSoftStiffness(body_, tangent);
   for (auto& block : tangent) block *= 1 + body_.stiffnessDamping / h;
-  for (std::size_t i = 0; i < body_.mass.size(); ++i)
-    tangent[body_.pattern.begin[i]].diagonal().array() += (1 / h + body_.massDamping) / h * body_.mass[i];
+  addInertia(body_, 1 / h, tangent);
   return factor_.factorise(body_.pattern, tangent);
 }
 

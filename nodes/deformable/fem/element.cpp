@@ -18,23 +18,21 @@ constexpr double kLargestConstant = 1e15;
 
 using Gradients = std::array<Eigen::Vector3d, kMostElementNodes>;
 
-[[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("solid: " + what); }
-
 void check(const SolidMesh& mesh) {
-  if (mesh.nodesPerElement != 4 && mesh.nodesPerElement != 8) refuse("an element has 4 or 8 nodes");
+  if (mesh.nodesPerElement != 4 && mesh.nodesPerElement != 8) refuseSolid("an element has 4 or 8 nodes");
   if (mesh.elements.empty() || mesh.elements.size() % static_cast<std::size_t>(mesh.nodesPerElement) != 0)
-    refuse("the mesh is empty, or its last element is not whole");
+    refuseSolid("the mesh is empty, or its last element is not whole");
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     for (const double x : mesh.nodes[i])
       if (!std::isfinite(x) || std::abs(x) > kFarthest)
-        refuse("node " + std::to_string(i) + " is not finite, or too far away");
+        refuseSolid("node " + std::to_string(i) + " is not finite, or too far away");
   for (const int i : mesh.elements)
     if (i < 0 || static_cast<std::size_t>(i) >= mesh.nodes.size())
-      refuse("an element names node " + std::to_string(i) + " of " + std::to_string(mesh.nodes.size()));
+      refuseSolid("an element names node " + std::to_string(i) + " of " + std::to_string(mesh.nodes.size()));
   if (!mesh.fill.empty() && mesh.fill.size() != static_cast<std::size_t>(mesh.elementCount()))
-    refuse("fill has neither no entry nor one an element");
+    refuseSolid("fill has neither no entry nor one an element");
   for (const double fill : mesh.fill)
-    if (!std::isfinite(fill) || fill <= 0 || fill > 1) refuse("fill is outside (0, 1]");
+    if (!std::isfinite(fill) || fill <= 0 || fill > 1) refuseSolid("fill is outside (0, 1]");
 }
 
 // dN_a/dxi of the reference tetrahedron, or of the reference cube [-1, 1]^3 at xi.
@@ -86,6 +84,8 @@ double diameterOf(const SolidMesh& mesh, const int* nodes) {
 
 }  // namespace
 
+void refuseSolid(const std::string& what) { throw std::invalid_argument("solid: " + what); }
+
 SolidElements makeSolidElements(const SolidMesh& mesh) {
   check(mesh);
   const int n = mesh.nodesPerElement;
@@ -131,7 +131,7 @@ SolidElements makeSolidElements(const SolidMesh& mesh) {
     for (const double volume : volumes) all.weight.push_back(fill * volume);
     all.gradient.insert(all.gradient.end(), gradients.begin(), gradients.end());
   }
-  if (all.node.empty()) refuse("all elements are degenerate");
+  if (all.node.empty()) refuseSolid("all elements are degenerate");
   return all;
 }
 
@@ -139,11 +139,11 @@ Lame lameOf(const SolidMaterial& material) {
   const auto [rho, E, nu, alpha, beta] = material;
   for (const double x : {rho, E, nu, alpha, beta})
     if (!std::isfinite(x) || x > kLargestConstant)
-      refuse("a material constant is not finite, or beyond 1e15");
-  if (rho <= 0) refuse("density is not positive");
-  if (E <= 0) refuse("Young's modulus is not positive");
-  if (nu < 0 || nu >= 0.5) refuse("Poisson's ratio is outside [0, 0.5)");
-  if (alpha < 0 || beta < 0) refuse("damping is negative");
+      refuseSolid("a material constant is not finite, or beyond 1e15");
+  if (rho <= 0) refuseSolid("density is not positive");
+  if (E <= 0) refuseSolid("Young's modulus is not positive");
+  if (nu < 0 || nu >= 0.5) refuseSolid("Poisson's ratio is outside [0, 0.5)");
+  if (alpha < 0 || beta < 0) refuseSolid("damping is negative");
   return {E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))};
 }
 

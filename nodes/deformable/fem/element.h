@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -7,6 +8,9 @@
 #include <pleura/nodes/deformable/fem/solid_mesh.h>
 
 namespace pleura {
+
+/// Throws std::invalid_argument: what of a body can't be used.
+[[noreturn]] void refuseSolid(const std::string& what);
 
 inline constexpr int kMostElementNodes = 8, kMostElementPoints = 8;
 

@@ -68,8 +68,7 @@ bool LinearSolid::prepare(double h) {
   const double rate = 1 / h;  // 0 when static
   for (std::size_t slot = 0; slot < system_.size(); ++slot)
     system_[slot] = (1 + body_.stiffnessDamping * rate) * total_[slot];
-  for (std::size_t i = 0; i < body_.mass.size(); ++i)
-    system_[body_.pattern.begin[i]].diagonal().array() += (rate + body_.massDamping) * rate * body_.mass[i];
+  addInertia(body_, rate, system_);
   factorisedFor_ = h;
   isSingular_ = !factor_.factorise(body_.pattern, system_);
   return !isSingular_;

@@ -58,8 +58,7 @@ void NewtonSolid::addStepTerms(double h, const BlockValues& tangent, BlockValues
   if (body_.stiffnessDamping * rate > 0)
     for (std::size_t slot = 0; slot < A.size(); ++slot)
       A[slot] += body_.stiffnessDamping * rate * dampingTangent_[slot];
-  for (std::size_t i = 0; i < body_.mass.size(); ++i)
-    A[body_.pattern.begin[i]].diagonal().array() += (rate + body_.massDamping) * rate * body_.mass[i];
+  addInertia(body_, rate, A);
 }
 
 void NewtonSolid::assembleSystem(double h) {

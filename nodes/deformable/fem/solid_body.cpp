@@ -8,32 +8,31 @@
 namespace pleura {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) { throw std::invalid_argument("solid: " + what); }
-
 void check(const SolidConstraints& constraints, int nodeCount) {
   std::vector<bool> isFixed(nodeCount, false);
   for (const int i : constraints.fixed) {
-    if (i < 0 || i >= nodeCount) refuse("fixed node " + std::to_string(i) + " is not in the mesh");
-    if (isFixed[i]) refuse("node " + std::to_string(i) + " is fixed twice");
+    if (i < 0 || i >= nodeCount) refuseSolid("fixed node " + std::to_string(i) + " is not in the mesh");
+    if (isFixed[i]) refuseSolid("node " + std::to_string(i) + " is fixed twice");
     isFixed[i] = true;
   }
   const SoftPoints& soft = constraints.soft;
   if (!std::isfinite(soft.stiffness) || soft.stiffness < 0)
-    refuse("the soft points' stiffness is not 0 or more");
+    refuseSolid("the soft points' stiffness is not 0 or more");
   if (soft.begin.empty() || soft.begin.front() != 0 ||
       soft.begin.back() != static_cast<int>(soft.node.size()) || soft.node.size() != soft.weight.size())
-    refuse("the soft points' rows do not fit");
+    refuseSolid("the soft points' rows do not fit");
   for (std::size_t r = 0; r + 1 < soft.begin.size(); ++r)
-    if (soft.begin[r] > soft.begin[r + 1]) refuse("the soft points' rows do not fit");
+    if (soft.begin[r] > soft.begin[r + 1]) refuseSolid("the soft points' rows do not fit");
   for (const int i : soft.node)
-    if (i < 0 || i >= nodeCount) refuse("soft node " + std::to_string(i) + " is not in the mesh");
+    if (i < 0 || i >= nodeCount) refuseSolid("soft node " + std::to_string(i) + " is not in the mesh");
   for (int r = 0; r < soft.count(); ++r) {
     std::vector<int> row(soft.node.begin() + soft.begin[r], soft.node.begin() + soft.begin[r + 1]);
     std::sort(row.begin(), row.end());
-    if (std::adjacent_find(row.begin(), row.end()) != row.end()) refuse("a soft point names a node twice");
+    if (std::adjacent_find(row.begin(), row.end()) != row.end())
+      refuseSolid("a soft point names a node twice");
   }
   for (const double weight : soft.weight)
-    if (!std::isfinite(weight)) refuse("a soft weight is not finite");
+    if (!std::isfinite(weight)) refuseSolid("a soft weight is not finite");
 }
 
 bool areUsable(std::span<const Eigen::Vector3d> vectors) {
@@ -118,6 +117,11 @@ bool isUsable(const SolidBody& body, const SolidLoad& load) {
 }
 
 bool isUsableStep(double h) { return !std::isnan(h) && h >= 1e-9 && (h <= 1e9 || std::isinf(h)); }
+
+void addInertia(const SolidBody& body, double rate, BlockValues& A) {
+  for (std::size_t i = 0; i < body.mass.size(); ++i)
+    A[body.pattern.begin[i]].diagonal().array() += (rate + body.massDamping) * rate * body.mass[i];
+}
 
 void addSoftStiffness(const SolidBody& body, BlockValues& values) {
   const SoftPoints& soft = body.constraints.soft;

@@ -49,6 +49,9 @@ bool isUsable(const SolidBody& body, const SolidState& state);
 bool isUsable(const SolidBody& body, const SolidLoad& load);
 bool isUsableStep(double h);  ///< 1e-9 to 1e9 s, or infinite
 
+/// A += (1/h^2 + alpha/h) M, `rate` 1/h.
+void addInertia(const SolidBody& body, double rate, BlockValues& A);
+
 /// values += k W^T W.
 void addSoftStiffness(const SolidBody& body, BlockValues& values);
 

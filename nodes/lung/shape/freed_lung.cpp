@@ -4,6 +4,7 @@
 
 #include <pleura/nodes/deformable/fem/pressure.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/precision.h>
 #include <pleura/nodes/lung/shape/freed_lung.h>
 
 namespace pleura {
@@ -27,13 +28,6 @@ std::vector<int> nodesOf(const Embedding& embedding, std::span<const int> hilum)
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   if (nodes.empty()) throw std::invalid_argument("hilum: a lung that nothing holds");
   return nodes;
-}
-
-std::vector<Eigen::Vector3d> inDouble(std::span<const Eigen::Vector3f> points) {
-  std::vector<Eigen::Vector3d> all(points.size());
-  std::transform(points.begin(), points.end(), all.begin(),
-                 [](const Eigen::Vector3f& p) { return Eigen::Vector3d(p.cast<double>()); });
-  return all;
 }
 
 /// A third of the triangles around each point [m^2].
@@ -75,7 +69,8 @@ FreedLung::FreedLung(const Lattice& lattice, const TriangleMesh& rest, std::span
   if (!(material.compliance > 0) || !std::isfinite(material.compliance))
     throw std::invalid_argument("compliance: above 0 is expected");
   std::vector<Eigen::Vector3d> forces(rest.points.size(), Eigen::Vector3d::Zero());
-  addPressureForces(1, inDouble(rest.points), rest.triangles, forces);
+  inDouble(rest.points, base_);
+  addPressureForces(1, base_, rest.triangles, forces);
   addTransposed(embedding_, forces, pull_);
   if (!factor_.factorise(solid_.body().pattern, system_))
     throw std::invalid_argument("hilum: it does not hold the lung");

@@ -96,7 +96,7 @@ NodePtr Scene::make(std::string_view type) {
 std::vector<DeformationFigure> Scene::deformationFigures() {
   std::vector<DeformationFigure> figures;
   for (const TierFigures& f : readFigures(keptFigures())) {
-    if (!f.converged || f.method == kReferenceMethod) continue;
+    if (!f.isChoosable()) continue;
     const DeformationTier tier = tierOf(f.method, f.elements);
     figures.push_back({f.organ, tier.node, tier.fields, f.error.rms, f.median});
   }

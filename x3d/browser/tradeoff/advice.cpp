@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <pleura/x3d/browser/tradeoff/advice.h>
-#include <pleura/x3d/browser/tradeoff/deformation_tier.h>
 
 namespace pleura {
 
@@ -30,7 +29,7 @@ const TierFigures* cheapest(std::span<const TierFigures> figures, const std::str
                             double budget) {
   const TierFigures* best = nullptr;
   for (const auto& f : figures) {
-    if (f.organ != organ || f.method == kReferenceMethod || !f.converged) continue;
+    if (f.organ != organ || !f.isChoosable()) continue;
     if (f.error.rms > tolerance || f.median > budget) continue;
     if (best == nullptr || f.median < best->median) best = &f;
   }

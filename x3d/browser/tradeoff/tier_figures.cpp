@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <pleura/x3d/browser/tradeoff/deformation_tier.h>
 #include <pleura/x3d/browser/tradeoff/tier_figures.h>
 
 namespace pleura {
@@ -43,6 +44,8 @@ bool read(const std::string& line, TierFigures& f) {
 }
 
 }  // namespace
+
+bool TierFigures::isChoosable() const { return converged && method != kReferenceMethod; }
 
 std::filesystem::path keptFigures() {
   if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')

@@ -20,6 +20,9 @@ struct TierFigures {
   double memory = 0;      // [byte] kept
   bool converged = true;  // at every moment
   ShapeError error;
+
+  /// Whether an organ may be deformed so: not the reference, nor what did not converge.
+  bool isChoosable() const;
 };
 
 /// Where the figures of this machine are kept: pleura/tradeoff.csv in the user's folder for caches
