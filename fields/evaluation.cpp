@@ -1,3 +1,5 @@
+#include <vector>
+
 #include <pleura/fields/counters.h>
 #include <pleura/fields/field.h>
 #include <pleura/fields/propagation.h>
@@ -56,27 +58,30 @@ void Field::evaluatePendingInputs() {
     Field* field;
     std::size_t next;
   };
+  // One a thread, reused: its pages cost more than the evaluation. Calls within calls stack theirs on it.
+  thread_local std::vector<Step> steps;
   struct Path {
-    std::vector<Step> steps;
+    const std::size_t base = steps.size();
     ~Path() {
-      for (const Step& step : steps) step.field->evaluating_ = false;
+      for (std::size_t i = base; i < steps.size(); ++i) steps[i].field->evaluating_ = false;
+      steps.resize(base);
     }
-  } path;
+  } const path;
   Step step{this, 0};
   evaluating_ = true;
   while (true) {
     if (step.next < step.field->routes_in.size()) {
       Field* input = step.field->routes_in[step.next++];
       if (input->isUpToDate() || input->evaluating_) continue;
-      path.steps.push_back(step);
+      steps.push_back(step);
       input->evaluating_ = true;
       step = {input, 0};
       continue;
     }
-    if (path.steps.empty()) return;
+    if (steps.size() == path.base) return;
     step.field->runUpdate();
-    step = path.steps.back();
-    path.steps.pop_back();
+    step = steps.back();
+    steps.pop_back();
   }
 }
 
