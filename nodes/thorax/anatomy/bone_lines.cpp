@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <pleura/nodes/deformable/mesh/components.h>
+#include <pleura/nodes/deformable/mesh/nearest_point.h>
 #include <pleura/nodes/deformable/mesh/repair.h>
 #include <pleura/nodes/deformable/mesh/topology.h>
 #include <pleura/nodes/thorax/anatomy/bone_lines.h>
@@ -77,10 +78,7 @@ std::vector<Vector3f> innerPoints(const TriangleMesh& mesh, const std::vector<Ve
   std::vector<Vector3f> inner = centreline;
   std::vector<float> reach(centreline.size(), 0.0f);
   for (const Vector3f& point : mesh.points) {
-    const auto nearest = std::min_element(
-        centreline.begin(), centreline.end(),
-        [&](const auto& a, const auto& b) { return (a - point).squaredNorm() < (b - point).squaredNorm(); });
-    const std::size_t k = static_cast<std::size_t>(nearest - centreline.begin());
+    const std::size_t k = nearestPoint(centreline, point);
     const Vector3d towards = lungAxisNear(centreline[k].cast<double>(), side) - centreline[k].cast<double>();
     const float along = towards.normalized().cast<float>().dot(point - centreline[k]);
     if (along <= reach[k]) continue;

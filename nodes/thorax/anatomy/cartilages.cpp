@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include <pleura/nodes/deformable/mesh/nearest_point.h>
 #include <pleura/nodes/thorax/anatomy/cartilages.h>
 #include <pleura/nodes/thorax/anatomy/inner_line.h>
 #include <pleura/nodes/thorax/anatomy/measurements.h>
@@ -16,15 +16,8 @@ using Eigen::Vector3f;
 
 constexpr int kStations = 6;
 constexpr int kRings = 20;
-constexpr int kSectors = 12;
+constexpr int kCartilageSectors = 12;
 constexpr int kLastTrueRib = 7;
-
-std::size_t nearestSample(const std::vector<Vector3f>& line, const Vector3f& point) {
-  const auto nearest = std::min_element(line.begin(), line.end(), [&](const Vector3f& a, const Vector3f& b) {
-    return (a - point).squaredNorm() < (b - point).squaredNorm();
-  });
-  return static_cast<std::size_t>(nearest - line.begin());
-}
 
 std::vector<TubeStation> measuredStations(const Table& table, std::size_t firstRow) {
   std::vector<TubeStation> stations;
@@ -38,7 +31,7 @@ std::vector<TubeStation> measuredStations(const Table& table, std::size_t firstR
 // The measured start lies on the oblique end face of the rib, up to 11 mm from the last centre of its
 // centreline: begin inside the bone instead.
 void growIntoRib(std::vector<TubeStation>& stations, const Rib& rib) {
-  const std::size_t nearest = nearestSample(rib.centreline, stations.front().centre.cast<float>());
+  const std::size_t nearest = nearestPoint(rib.centreline, stations.front().centre.cast<float>());
   TubeStation inside = stations.front();
   inside.centre = rib.centreline[std::min<std::size_t>(nearest, kRibSamples - 2) - 1].cast<double>();
   inside.halfMajor *= 0.8;
@@ -49,7 +42,7 @@ void growIntoRib(std::vector<TubeStation>& stations, const Rib& rib) {
 // A suggested path stops beside the cartilage above: let it end on that one's centreline.
 void growIntoCartilage(std::vector<TubeStation>& stations, const Cartilage& above) {
   Vector3d& end = stations.back().centre;
-  end = above.centreline[nearestSample(above.centreline, end.cast<float>())].cast<double>();
+  end = above.centreline[nearestPoint(above.centreline, end.cast<float>())].cast<double>();
 }
 
 void setFractions(std::vector<TubeStation>& stations) {
@@ -71,7 +64,7 @@ Cartilage makeCartilage(const Table& table, std::size_t row, const std::vector<R
   setFractions(stations);
 
   const Tube tube(std::move(stations));
-  cartilage.mesh = tubeMesh(tube, kRings, kSectors);
+  cartilage.mesh = tubeMesh(tube, kRings, kCartilageSectors);
   for (const Vector3d& point : tube.centreline(kCartilageSamples))
     cartilage.centreline.push_back(point.cast<float>());
   cartilage.innerLine = innerLine(tube, cartilage.side, kCartilageSamples);

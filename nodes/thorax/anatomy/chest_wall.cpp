@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include <pleura/nodes/deformable/mesh/nearest_point.h>
 #include <pleura/nodes/thorax/anatomy/chest_wall.h>
 
 namespace pleura {
@@ -31,13 +32,6 @@ void addInnerLines(const std::vector<Part>& parts, Side side, double clearance,
   }
 }
 
-std::size_t nearestSample(const std::vector<Eigen::Vector3f>& line, const Eigen::Vector3f& point) {
-  const auto nearest = std::min_element(line.begin(), line.end(), [&](const auto& a, const auto& b) {
-    return (a - point).squaredNorm() < (b - point).squaredNorm();
-  });
-  return static_cast<std::size_t>(nearest - line.begin());
-}
-
 // For each stretch of the bone the point nearest to the wall or furthest through it, if it is nearer than the
 // clearance.
 template <class Part>
@@ -49,7 +43,7 @@ void addProtruding(const ChestWall& wall, const std::vector<Part>& parts, Side s
     std::vector<double> deepest(part.centreline.size(), clearance - kSlack);
     std::vector<Vector3d> at(part.centreline.size());
     for (const Eigen::Vector3f& point : part.mesh.points) {
-      const std::size_t sample = nearestSample(part.centreline, point);
+      const std::size_t sample = nearestPoint(part.centreline, point);
       const double beyond = wall.beyond(point.cast<double>());
       if (beyond >= deepest[sample]) continue;
       deepest[sample] = beyond;

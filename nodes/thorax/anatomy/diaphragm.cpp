@@ -19,11 +19,11 @@ using Eigen::Vector3f;
 
 constexpr int kMeridians = 96;
 constexpr int kRows = DiaphragmShape::kKnots;  // knots s > 0, and the skirt's end
-constexpr double kSpacing = 0.0082;            // [m] triangle size
-constexpr double kBlur = 0.006;  // [m] against creases where the meridians meet beside the hiatus
-constexpr double kSeam = 0.003;  // [m] over which the sheet turns along the chest wall
-constexpr double kFar = 0.015;   // [m] from the sheet, where the walls make no difference
-constexpr double kRim = 2.0;     // s
+constexpr double kDiaphragmSpacing = 0.0082;   // [m] triangle size
+constexpr double kDiaphragmBlur = 0.006;  // [m] against creases where the meridians meet beside the hiatus
+constexpr double kDiaphragmSeam = 0.003;  // [m] over which the sheet turns along the chest wall
+constexpr double kFarFromSheet = 0.015;   // [m] from the sheet, where the walls make no difference
+constexpr double kRim = 2.0;              // s
 
 // The measured sheet made a solid: its wall goes on below the rim as a skirt, and a cone closes it.
 struct Abdomen {
@@ -101,7 +101,7 @@ void drawToRim(OpenSheet& sheet, const std::vector<Vector3f>& rim, const Solid& 
       for (const int k : around[i]) mean += before[k];
       mean /= static_cast<float>(around[i].size());
       sheet.mesh.points[i] =
-          nearestOnSkin(solid, (0.5f * (before[i] + mean)).cast<double>(), kSpacing).cast<float>();
+          nearestOnSkin(solid, (0.5f * (before[i] + mean)).cast<double>(), kDiaphragmSpacing).cast<float>();
     }
   }
 }
@@ -146,13 +146,14 @@ Diaphragm generateDiaphragm(const DiaphragmShape& shape, const std::array<ChestW
   Eigen::AlignedBox3f box = boundingBox(abdomen.mesh.points);
   box = {box.min() - margin, box.max() + margin};
   const SmoothField blurred([&](const Vector3d& p) { return measured.signedDistance(p); }, box.cast<double>(),
-                            kBlur);
+                            kDiaphragmBlur);
   const Solid solid = [&](const Vector3d& p) {
     const double sheet = blurred(p);
-    return std::abs(sheet) > kFar ? sheet : smoothIntersection(sheet, beyondWalls(walls, p), kSeam);
+    return std::abs(sheet) > kFarFromSheet ? sheet
+                                           : smoothIntersection(sheet, beyondWalls(walls, p), kDiaphragmSeam);
   };
 
-  const TriangleMesh closed = skinOf(solid, box.cast<double>(), kSpacing);
+  const TriangleMesh closed = skinOf(solid, box.cast<double>(), kDiaphragmSpacing);
   std::vector<bool> keep;
   for (const Vector3f& point : closed.points)
     keep.push_back(sAt(abdomen, measured, point.cast<double>()) <= kRim);

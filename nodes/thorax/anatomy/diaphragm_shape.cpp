@@ -9,8 +9,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kStep = 2.0 * std::numbers::pi / DiaphragmShape::kColumns;  // [rad] between meridians
-constexpr int kEdgeKnot = 11;                                                // s = 1
+constexpr double kMeridianStep =
+    2.0 * std::numbers::pi / DiaphragmShape::kColumns;  // [rad] between meridians
+constexpr int kEdgeKnot = 11;                           // s = 1
 
 // Slope at the middle of three equally spaced values: the harmonic mean of the two slopes, none at an
 // extremum.
@@ -33,7 +34,7 @@ struct Around {
   double t;
 
   explicit Around(double azimuth) {
-    const double at = azimuth / kStep;
+    const double at = azimuth / kMeridianStep;
     const double floor = std::floor(at);
     t = at - floor;
     for (std::size_t k = 0; k < 4; ++k) {

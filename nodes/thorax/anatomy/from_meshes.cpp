@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
 
 #include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/mesh/nearest_point.h>
 #include <pleura/nodes/deformable/mesh/repair.h>
 #include <pleura/nodes/thorax/anatomy/bone_lines.h>
 #include <pleura/nodes/thorax/anatomy/bones.h>
@@ -113,11 +115,8 @@ void takeRib(const Scans& scans, const Vertebra& vertebra, Rib& rib) {
   const Vector3f& tip = rib.side == Side::Left ? vertebra.transverseTipLeft : vertebra.transverseTipRight;
   rib.tubercle =
       SurfaceQuery(rib.mesh.points, rib.mesh.triangles).closestPoint(tip.cast<double>()).point.cast<float>();
-  const auto neckEnd =
-      std::min_element(rib.centreline.begin() + 1, rib.centreline.end(), [&](const auto& a, const auto& b) {
-        return (a - rib.tubercle).squaredNorm() < (b - rib.tubercle).squaredNorm();
-      });
-  rib.neckAxis = (*neckEnd - rib.head).normalized();
+  const std::span<const Vector3f> beyondHead(rib.centreline.begin() + 1, rib.centreline.end());
+  rib.neckAxis = (beyondHead[nearestPoint(beyondHead, rib.tubercle)] - rib.head).normalized();
 }
 
 void takeCartilage(const Scans& scans, const Rib& rib, Cartilage& cartilage) {

@@ -14,9 +14,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr int kRounds = 5;      // of smoothing along the skin, then back onto it
-constexpr int kPasses = 3;      // of smoothing in a round
-constexpr double kStep = 1e-5;  // [m] of the differences
+constexpr int kRounds = 5;            // of smoothing along the skin, then back onto it
+constexpr int kPasses = 3;            // of smoothing in a round
+constexpr double kDifference = 1e-5;  // [m] of the differences
 
 // Samples of the solid at the nodes of a regular grid.
 class Grid {
@@ -186,9 +186,9 @@ Net surfaceNet(const Grid& grid) {
 }
 
 Vector3d gradient(const Solid& solid, const Vector3d& point, double value) {
-  return {(solid(point + kStep * Vector3d::UnitX()) - value) / kStep,
-          (solid(point + kStep * Vector3d::UnitY()) - value) / kStep,
-          (solid(point + kStep * Vector3d::UnitZ()) - value) / kStep};
+  return {(solid(point + kDifference * Vector3d::UnitX()) - value) / kDifference,
+          (solid(point + kDifference * Vector3d::UnitY()) - value) / kDifference,
+          (solid(point + kDifference * Vector3d::UnitZ()) - value) / kDifference};
 }
 
 // Newton's step along the gradient, p <- p - f g / (g.g), no longer than a triangle; gives the normal.

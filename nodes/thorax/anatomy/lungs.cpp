@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSpacing = 0.0052;     // [m] triangle size
-constexpr double kSectionBlur = 0.013;  // [m] the measured sections' distance
-constexpr double kBlur = 0.006;         // [m] rounding of borders and edges
-constexpr double kSeam = 0.002;         // [m] over which the skin turns onto a bone
-constexpr double kGrowth = 0.012;       // [m] the fit's largest gap to the wall, which is to be filled
-constexpr double kMidline = 0.004;      // [m] kept free on either side of x = 0
-constexpr double kReach = 0.010;        // [m] beyond which bones need not be looked at
+constexpr double kLungSpacing = 0.0052;  // [m] triangle size
+constexpr double kSectionBlur = 0.013;   // [m] the measured sections' distance
+constexpr double kLungBlur = 0.006;      // [m] rounding of borders and edges
+constexpr double kLungSeam = 0.002;      // [m] over which the skin turns onto a bone
+constexpr double kGrowth = 0.012;        // [m] the fit's largest gap to the wall, which is to be filled
+constexpr double kMidline = 0.004;       // [m] kept free on either side of x = 0
+constexpr double kReach = 0.010;         // [m] beyond which bones need not be looked at
 
 Eigen::AlignedBox3d boxOf(Side side) {
   const double outer = sign(side) * 0.14;
@@ -40,10 +40,10 @@ class Space {
 
   // Height above the dome, made a distance by the dome's slope.
   double belowDome(const Vector3d& p) const {
-    constexpr double kStep = 0.002;  // [m]
+    constexpr double kSlopeStep = 0.002;  // [m]
     const double height = height_(p);
-    const double dx = (height_(p + Vector3d(kStep, 0, 0)) - height) / kStep;
-    const double dz = (height_(p + Vector3d(0, 0, kStep)) - height) / kStep;
+    const double dx = (height_(p + Vector3d(kSlopeStep, 0, 0)) - height) / kSlopeStep;
+    const double dz = (height_(p + Vector3d(0, 0, kSlopeStep)) - height) / kSlopeStep;
     return kPleuralGap + (height - p.y()) / std::sqrt(1.0 + dx * dx + dz * dz);
   }
 
@@ -58,9 +58,9 @@ class Space {
   }
 
   double operator()(const Vector3d& p) const {
-    constexpr double kFar = 0.03;  // [m] outside, where nothing else matters
+    constexpr double kOutside = 0.03;  // [m] outside, where nothing else matters
     const double outline = outline_(p);
-    if (outline > kFar) return outline;
+    if (outline > kOutside) return outline;
     const double wall = beyondWall(p);
     const double dome = belowDome(p);
     const double midline = kMidline - sign(side_) * p.x();
@@ -99,16 +99,16 @@ LungOutline measuredOutline(Side side) {
 Lung fillLung(const LungOutline& outline, const ChestWall& wall, const DomeHeight& height,
               const SurfaceQuery& bones, const SurfaceQuery& diaphragm) {
   const Space space(outline, wall, height);
-  const SmoothField smooth([&](const Vector3d& p) { return space(p); }, outline.box, kBlur);
+  const SmoothField smooth([&](const Vector3d& p) { return space(p); }, outline.box, kLungBlur);
   const Solid solid = [&](const Vector3d& p) {
     const double lung = smooth(p);
     if (lung > kReach) return lung;
-    return smoothIntersection(lung, std::max(tooNear(bones, p), tooNear(diaphragm, p)), kSeam);
+    return smoothIntersection(lung, std::max(tooNear(bones, p), tooNear(diaphragm, p)), kLungSeam);
   };
   Lung lung;
   lung.side = outline.side;
   lung.name = outline.side == Side::Left ? "LUNG_L" : "LUNG_R";
-  lung.mesh = skinOf(solid, outline.box, kSpacing);
+  lung.mesh = skinOf(solid, outline.box, kLungSpacing);
   std::vector<Eigen::Vector3f> normals(lung.mesh.points.size());
   vertexNormals(lung.mesh.points, lung.mesh.triangles, normals);
   for (std::size_t i = 0; i < normals.size(); ++i) {

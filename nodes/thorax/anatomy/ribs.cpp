@@ -1,9 +1,9 @@
-#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <pleura/nodes/deformable/mesh/nearest_point.h>
 #include <pleura/nodes/thorax/anatomy/inner_line.h>
 #include <pleura/nodes/thorax/anatomy/measurements.h>
 #include <pleura/nodes/thorax/anatomy/ribs.h>
@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kRings = 38;
-constexpr int kSectors = 12;
+constexpr int kRibSectors = 12;
 constexpr int kStations = 16;
 
 // Where the end face is oblique (rib 1), the last centre lies aside and would fold the tube: go on straight
@@ -45,11 +45,7 @@ Tube ribTube(const Table& stations, std::size_t firstRow) {
 // width, until it passes through the measured point.
 void raiseTubercle(TriangleMesh& mesh, const Eigen::Vector3f& tubercle) {
   constexpr float kWidth = 0.006f;  // [m]
-  const auto nearest =
-      std::min_element(mesh.points.begin(), mesh.points.end(), [&](const auto& a, const auto& b) {
-        return (a - tubercle).squaredNorm() < (b - tubercle).squaredNorm();
-      });
-  const Eigen::Vector3f foot = *nearest;
+  const Eigen::Vector3f foot = mesh.points[nearestPoint(mesh.points, tubercle)];
   const Eigen::Vector3f rise = tubercle - foot;
   for (Eigen::Vector3f& point : mesh.points) {
     point += std::exp(-(point - foot).squaredNorm() / (kWidth * kWidth)) * rise;
@@ -62,7 +58,7 @@ Rib makeRib(const Table& stations, const Table& summary, std::size_t row) {
   rib.number = summary.integer(row, "rib");
   rib.name = fmt::format("RIB_{}{}", rib.side == Side::Left ? 'L' : 'R', rib.number);
   const Tube tube = ribTube(stations, row * kStations);
-  rib.mesh = tubeMesh(tube, kRings, kSectors);
+  rib.mesh = tubeMesh(tube, kRings, kRibSectors);
   rib.head = summary.point(row, "head_").cast<float>();
   rib.tubercle = summary.point(row, "tubercle_").cast<float>();
   rib.neckAxis = summary.direction(row, "axis_").cast<float>();

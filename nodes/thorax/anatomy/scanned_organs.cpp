@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr int kSectors = 24;
+constexpr int kScanSectors = 24;
 
 // What bounds the dome in one sector of azimuth.
 struct Sector {
@@ -28,7 +28,7 @@ struct Sector {
 
 struct Plan {
   Vector3f axis;
-  std::array<Sector, kSectors> sectors;
+  std::array<Sector, kScanSectors> sectors;
 
   explicit Plan(const std::vector<Vector3f>& points) : axis(boundingBox(points).center()) {
     axis.x() = 0.0f;
@@ -44,7 +44,8 @@ struct Plan {
     return a < 0.0f ? a + 2.0f * std::numbers::pi_v<float> : a;
   }
   std::size_t sector(const Vector3f& p) const {
-    return static_cast<std::size_t>(azimuth(p) / (2.0f * std::numbers::pi_v<float>)*kSectors) % kSectors;
+    return static_cast<std::size_t>(azimuth(p) / (2.0f * std::numbers::pi_v<float>)*kScanSectors) %
+           kScanSectors;
   }
   Sector& at(const Vector3f& p) { return sectors[sector(p)]; }
   float s(const Vector3f& p) const {
@@ -141,8 +142,8 @@ Diaphragm scannedDiaphragm(TriangleMesh mesh, const std::array<ChestWall, 2>& wa
 
 Lung scannedLung(const TriangleMesh& mesh, Side side, const ChestWall& wall, const SurfaceQuery& bones,
                  const SurfaceQuery& diaphragm) {
-  constexpr double kBlur = 0.006;   // [m] triangles of a scan
-  constexpr double kMargin = 0.02;  // [m] for growing
+  constexpr double kScanBlur = 0.006;  // [m] triangles of a scan
+  constexpr double kMargin = 0.02;     // [m] for growing
   const SurfaceQuery scan(mesh.points, mesh.triangles);
   const Eigen::AlignedBox3d box = boundingBox(mesh.points).cast<double>();
   const Vector3d margin = Vector3d::Constant(kMargin);
@@ -150,7 +151,7 @@ Lung scannedLung(const TriangleMesh& mesh, Side side, const ChestWall& wall, con
       {side,
        [&](const Vector3d& p) { return scan.signedDistance(p); },
        {box.min() - margin, box.max() + margin},
-       kBlur},
+       kScanBlur},
       wall, [&](const Vector3d& p) { return domeHeight(diaphragm, p); }, bones, diaphragm);
 }
 

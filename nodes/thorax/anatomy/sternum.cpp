@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSpacing = 0.0036;  // [m] triangle size
-constexpr double kSeam = 0.006;      // [m] width over which the three parts grow together
+constexpr double kSternumSpacing = 0.0036;  // [m] triangle size
+constexpr double kSternumSeam = 0.006;      // [m] width over which the three parts grow together
 
 // A horizontal section: a super-ellipse bent so that its borders lie where they were measured.
 struct Section {
@@ -83,15 +83,15 @@ Sternum generateSternum() {
     const double upper = smoothIntersection(partOf(manubrium, p), jugularNotch, 0.006);
     const double symphysis = joint(p, manubrium.end()[-2].centre, body[1].centre, 0.015, 0.007);
     const double xiphisternal = joint(p, body.end()[-2].centre, xiphoid[1].centre, 0.008, 0.0045);
-    const double lower =
-        smoothUnion(smoothUnion(partOf(body, p), xiphisternal, kSeam), partOf(xiphoid, p), kSeam);
-    return smoothUnion(smoothUnion(upper, symphysis, kSeam), lower, kSeam);
+    const double lower = smoothUnion(smoothUnion(partOf(body, p), xiphisternal, kSternumSeam),
+                                     partOf(xiphoid, p), kSternumSeam);
+    return smoothUnion(smoothUnion(upper, symphysis, kSternumSeam), lower, kSternumSeam);
   };
   Eigen::AlignedBox3d box(top);
   box.extend(body.back().centre).extend(xiphoid.back().centre);
   const Vector3d margin(0.035, 0.008, 0.025);
   Sternum sternum;
-  sternum.mesh = skinOf(bone, {box.min() - margin, box.max() + margin}, kSpacing);
+  sternum.mesh = skinOf(bone, {box.min() - margin, box.max() + margin}, kSternumSpacing);
   sternum.jugularNotch = Eigen::Vector3d(top + Vector3d(0.0, -0.007, -0.003)).cast<float>();
   sternum.sternalAngle = Eigen::Vector3d(0.5 * (manubrium.back().centre + body.front().centre)).cast<float>();
   sternum.xiphoidTip = xiphoid.back().centre.cast<float>();

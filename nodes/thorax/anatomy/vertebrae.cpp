@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSpacing = 0.0028;     // [m] triangle size
-constexpr double kSeam = 0.004;         // [m] width over which the parts grow together
-constexpr double kCanalRadius = 0.008;  // [m] of the vertebral canal
+constexpr double kVertebraSpacing = 0.0028;  // [m] triangle size
+constexpr double kVertebraSeam = 0.004;      // [m] width over which the parts grow together
+constexpr double kCanalRadius = 0.008;       // [m] of the vertebral canal
 
 // One vertebra as measured; its own frame is x to the left, y up its axis, z to the front, origin in the
 // body.
@@ -62,11 +62,11 @@ double halfArch(const Measured& m, const Vector3d& p, double side, const Vector3
   const Vector3d above = pillar + Vector3d(0.0, 0.95 * m.halfHeight, 0.001);
   const Vector3d below = pillar + Vector3d(-side * 0.002, -1.25 * m.halfHeight, -0.003);
   double arch = roundCone(p, root, 0.0050, pillar, 0.0050);
-  arch = smoothUnion(arch, roundCone(p, pillar, 0.0048, spine, 0.0042), kSeam);
-  arch = smoothUnion(arch, roundCone(p, pillar, 0.0048, above, 0.0038), kSeam);
-  arch = smoothUnion(arch, roundCone(p, pillar, 0.0048, below, 0.0038), kSeam);
+  arch = smoothUnion(arch, roundCone(p, pillar, 0.0048, spine, 0.0042), kVertebraSeam);
+  arch = smoothUnion(arch, roundCone(p, pillar, 0.0048, above, 0.0038), kVertebraSeam);
+  arch = smoothUnion(arch, roundCone(p, pillar, 0.0048, below, 0.0038), kVertebraSeam);
   const Vector3d tip = transverseTip - 0.0055 * (transverseTip - pillar).normalized();
-  return smoothUnion(arch, roundCone(p, pillar, 0.0045, tip, 0.0055), kSeam);
+  return smoothUnion(arch, roundCone(p, pillar, 0.0045, tip, 0.0055), kVertebraSeam);
 }
 
 // A blade from the arch to the measured tip: thin from side to side, tall at its root.
@@ -82,15 +82,15 @@ double spinousProcess(const Measured& m, const Vector3d& p) {
 TriangleMesh bone(const Measured& m) {
   const Solid solid = [&](const Vector3d& scenePoint) {
     const Vector3d p = m.toOwn(scenePoint);
-    const double arch =
-        smoothUnion(halfArch(m, p, 1.0, m.transverse[0]), halfArch(m, p, -1.0, m.transverse[1]), kSeam);
-    return smoothUnion(body(m, p), smoothUnion(arch, spinousProcess(m, p), kSeam), kSeam);
+    const double arch = smoothUnion(halfArch(m, p, 1.0, m.transverse[0]),
+                                    halfArch(m, p, -1.0, m.transverse[1]), kVertebraSeam);
+    return smoothUnion(body(m, p), smoothUnion(arch, spinousProcess(m, p), kVertebraSeam), kVertebraSeam);
   };
   Eigen::AlignedBox3d box(m.centre);
   for (const Vector3d& tip : {m.spinous, m.transverse[0], m.transverse[1]})
     box.extend(m.centre + m.axes * tip);
   const Vector3d margin = Vector3d::Constant(0.006) + Vector3d(0.0, 1.0, 1.0) * 2.0 * m.halfHeight;
-  return skinOf(solid, {box.min() - margin, box.max() + margin}, kSpacing);
+  return skinOf(solid, {box.min() - margin, box.max() + margin}, kVertebraSpacing);
 }
 
 // From end plate to end plate, a tenth wider than the waist of the bodies it joins.

@@ -14,13 +14,13 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 using Eigen::Vector3i;
 
-constexpr double kPeriod = 1e-3;
+constexpr double kTick = 1e-3;
 constexpr double kRadius = 0.0025;
 
 /// A servo over a square metre that is seen from +z, at a height that the test sets each frame.
 class ServoOverFloor : public ::testing::Test {
  protected:
-  ServoOverFloor() : servo(device, kPeriod) {
+  ServoOverFloor() : servo(device, kTick) {
     device.state = [this](double) { return DeviceState{.position = at, .velocity = velocity}; };
   }
 
@@ -41,7 +41,7 @@ class ServoOverFloor : public ::testing::Test {
   }
 
   void tick(int times = 1) {
-    for (int k = 0; k < times; ++k) servo.tick(kPeriod * ticks++);
+    for (int k = 0; k < times; ++k) servo.tick(kTick * ticks++);
   }
 
   /// Comes down from above to `depth` under the floor, and stays.
@@ -83,7 +83,7 @@ TEST_F(ServoOverFloor, NothingIsStifferThanTheDeviceHolds) {
   edit = [](TouchFrame& frame) { frame.shapes[0].surface.stiffness = 1e6; };
   touch(0.001);
   EXPECT_NEAR(report().force.z(), servo.stiffnessLimit() * 0.001, 1e-6);
-  EXPECT_NEAR(servo.stiffnessLimit(), 2 * 0.2 / kPeriod, 1e-9);
+  EXPECT_NEAR(servo.stiffnessLimit(), 2 * 0.2 / kTick, 1e-9);
 }
 
 TEST_F(ServoOverFloor, TheForceRisesAtFirstContact) {
@@ -145,15 +145,15 @@ TEST_F(ServoOverFloor, ALargeWorkspaceMakesNothingHarder) {
 
 TEST_F(ServoOverFloor, MovesEvenlyFromFrameToFrame) {
   touch(0.01);
-  const double start = ticks * kPeriod;
+  const double start = ticks * kTick;
   constexpr double kDuration = 0.033;
   for (int frame = 1; frame <= 5; ++frame) {
     publish(0.002 * frame, kDuration);
-    while (ticks * kPeriod <= start + kDuration * frame) {
+    while (ticks * kTick <= start + kDuration * frame) {
       tick();
-      const double height = 0.002 * ((ticks - 1) * kPeriod - start + kPeriod) / kDuration;
+      const double height = 0.002 * ((ticks - 1) * kTick - start + kTick) / kDuration;
       EXPECT_NEAR(report().proxyPosition.z() - kRadius, std::min(height, 0.01),
-                  0.002 * 1.001 * kPeriod / kDuration);
+                  0.002 * 1.001 * kTick / kDuration);
     }
   }
 }
@@ -200,7 +200,7 @@ TEST_F(ServoOverFloor, NumbersThatAreNoneGiveNoForce) {
 
 TEST_F(ServoOverFloor, AStormOfMissedDeadlinesGivesNoForce) {
   touch(0.01);
-  for (int k = 0; k < 50; ++k) servo.tick(kPeriod * ticks++, true);
+  for (int k = 0; k < 50; ++k) servo.tick(kTick * ticks++, true);
   EXPECT_TRUE(report().isStopped);
   EXPECT_EQ(device.given.back().force, Vector3d::Zero());
 }

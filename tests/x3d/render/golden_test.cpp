@@ -8,7 +8,7 @@
 namespace pleura::render::test {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float kPi = std::numbers::pi_v<float>;
 
 Material colored(float r, float g, float b, float transparency = 0) {
   Material m;
@@ -58,9 +58,9 @@ TEST(Golden, NestedTranslucentSpheresAndRods) {
 TEST(Golden, SkyAndGroundGradient) {
   DrawList list;
   list.background.skyColor = {{0, 0, 0.4f}, {0.3f, 0.5f, 0.9f}, {0.9f, 0.9f, 1}};
-  list.background.skyAngle = {pi / 2 - 0.3f, pi / 2};
+  list.background.skyAngle = {kPi / 2 - 0.3f, kPi / 2};
   list.background.groundColor = {{0.1f, 0.05f, 0}, {0.4f, 0.6f, 0.2f}};
-  list.background.groundAngle = {pi / 2 - 0.05f};
+  list.background.groundAngle = {kPi / 2 - 0.05f};
   list.camera.fieldOfView = 1.2f;
   expectGolden(drawGolden(list), "background");
 }

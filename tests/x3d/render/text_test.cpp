@@ -55,17 +55,17 @@ TEST(TextGeometry, FacesTheReaderAndScalesWithSize) {
 
 TEST(TextGeometry, MajorJustificationPlacesEachLine) {
   FontStyle style = sans();
-  const float width = textGeometry({"lung"}, style).textBounds.x();
+  const float across = textGeometry({"lung"}, style).textBounds.x();
   const auto middle = [&](TextJustify justify, bool leftToRight) {
     style.major = justify;
     style.leftToRight = leftToRight;
     return bounds(textGeometry({"lung"}, style)).center().x();
   };
-  EXPECT_NEAR(middle(TextJustify::Begin, true), width / 2, 0.05);
+  EXPECT_NEAR(middle(TextJustify::Begin, true), across / 2, 0.05);
   EXPECT_NEAR(middle(TextJustify::Middle, true), 0, 0.05);
-  EXPECT_NEAR(middle(TextJustify::End, true), -width / 2, 0.05);
-  EXPECT_NEAR(middle(TextJustify::Begin, false), -width / 2, 0.05);
-  EXPECT_NEAR(middle(TextJustify::End, false), width / 2, 0.05);
+  EXPECT_NEAR(middle(TextJustify::End, true), -across / 2, 0.05);
+  EXPECT_NEAR(middle(TextJustify::Begin, false), -across / 2, 0.05);
+  EXPECT_NEAR(middle(TextJustify::End, false), across / 2, 0.05);
 }
 
 TEST(TextGeometry, MinorJustificationPlacesTheBlock) {

@@ -17,7 +17,7 @@ namespace pleura {
 
 namespace {
 
-struct Options {
+struct AnatomyOptions {
   std::filesystem::path output;
   std::filesystem::path from;
   std::string style = "thorax";
@@ -49,7 +49,7 @@ Anatomy realAnatomy(const std::filesystem::path& folder) {
   }
 }
 
-void makeAnatomy(const Options& options) {
+void makeAnatomy(const AnatomyOptions& options) {
   NodeRegistry registry;
   registerBuiltInNodes(registry);
   PluginLoader().load(options.style, registry);
@@ -69,7 +69,7 @@ void makeAnatomy(const Options& options) {
 
 void addAnatomyCommand(CLI::App& app) {
   auto* command = app.add_subcommand("anatomy", "Write the thorax as scene files: generated, or from meshes");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AnatomyOptions>();
   command->add_option("-o,--output", options->output, "Folder for the files")->required();
   command->add_option("--from", options->from, "Folder of meshes with skeleton/ and organs/");
   command

@@ -11,14 +11,14 @@ namespace pleura {
 
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::vector<std::filesystem::path> files;
   bool strict = false;
   bool json = false;
   bool allowOutside = false;
 };
 
-void check(const Options& options) {
+void check(const CheckOptions& options) {
   std::size_t errors = 0;
   std::size_t warnings = 0;
   for (const auto& file : options.files) {
@@ -43,7 +43,7 @@ void check(const Options& options) {
 
 void addCheckCommand(CLI::App& app) {
   auto* command = app.add_subcommand("check", "Tell every fault of scene files, with file:line:column");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   command->add_option("FILES", options->files, "X3D files")->required();
   command->add_flag("--strict", options->strict, "Warnings are faults too");
   command->add_flag("--json", options->json, "A line of JSON for each");

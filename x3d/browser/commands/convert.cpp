@@ -18,7 +18,7 @@ namespace pleura {
 
 namespace {
 
-struct Options {
+struct ConvertOptions {
   std::filesystem::path input;
   std::filesystem::path output;
   double decimate = 1;
@@ -34,7 +34,7 @@ void write(const std::filesystem::path& path, Document& document) {
   if (!out.flush()) throw FileError(path.string() + ": can't be written");
 }
 
-void convertScene(const Options& options) {
+void convertScene(const ConvertOptions& options) {
   if (options.decimate != 1 || options.fillHoles > 0 || options.repair || options.scale != 1 ||
       !options.frame.empty())
     throw UsageError("--decimate, --fill-holes, --repair, --scale and --frame are for meshes, not for X3D");
@@ -45,7 +45,7 @@ void convertScene(const Options& options) {
   write(options.output, scene.document());
 }
 
-TriangleMesh prepared(TriangleMesh mesh, const std::string& name, const Options& options) {
+TriangleMesh prepared(TriangleMesh mesh, const std::string& name, const ConvertOptions& options) {
   if (options.repair || options.fillHoles > 0) {
     const auto report = repair(mesh, {.maxHoleEdges = options.fillHoles});
     for (const auto& line : deeds(report)) fmt::print(stderr, "{}: {}\n", name, line);
@@ -76,7 +76,7 @@ NodePtr shapeOf(const NodeMaker& maker, const ImportedPart& part, const Triangle
   return shape;
 }
 
-void convertMesh(const Options& options) {
+void convertMesh(const ConvertOptions& options) {
   MeshImportOptions import{options.scale};
   if (!options.frame.empty()) import.axes = axesNamed(options.frame);
   const auto imported = importMesh(options.input, import);
@@ -93,7 +93,7 @@ void convertMesh(const Options& options) {
   write(options.output, document);
 }
 
-void convert(const Options& options) {
+void convert(const ConvertOptions& options) {
   const auto ending = options.input.extension();
   ending == ".x3d" || ending == ".x3dz" ? convertScene(options) : convertMesh(options);
 }
@@ -102,7 +102,7 @@ void convert(const Options& options) {
 
 void addConvertCommand(CLI::App& app) {
   auto* command = app.add_subcommand("convert", "X3D, or any mesh assimp reads, to X3D");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertOptions>();
   command->add_option("IN", options->input, "X3D, OBJ, STL, PLY, glTF, ...")->required();
   command->add_option("-o,--output", options->output, "X3D file")->required();
   command->add_option("--decimate", options->decimate, "Share of the triangles that is kept")

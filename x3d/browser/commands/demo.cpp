@@ -17,7 +17,7 @@ namespace pleura {
 
 namespace {
 
-struct Options {
+struct DemoOptions {
   PictureOptions picture;
   std::filesystem::path output = "out";
 };
@@ -118,7 +118,7 @@ void tell(const BreathTable& table, const TickStatistics& statistics, double dra
       statistics.quantile(0.5), drawing);
 }
 
-void runDemo(const Options& options) {
+void runDemo(const DemoOptions& options) {
   std::filesystem::create_directories(options.output);
   SceneOptions sceneOptions;
   sceneOptions.file = sceneFolder() / "touch_thorax.x3d";
@@ -162,7 +162,7 @@ void addDemoCommand(CLI::App& app) {
   auto* command = app.add_subcommand(
       "demo",
       "Twenty seconds of the default thorax, breathing and touched: a film, a contact sheet, a table");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DemoOptions>();
   options->picture.size = "960x720";
   options->picture.addTo(*command);
   command->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();

@@ -14,14 +14,14 @@ namespace pleura {
 
 namespace {
 
-struct Options {
+struct NodesOptions {
   std::string type;
   std::vector<std::string> libraries = {"thorax", "lung"};
   bool markdown = false;
   bool xsd = false;
 };
 
-void printReference(const Options& options) {
+void printReference(const NodesOptions& options) {
   NodeRegistry registry;
   registerBuiltInNodes(registry);
   PluginLoader plugins;
@@ -43,7 +43,7 @@ void printReference(const Options& options) {
 void addNodesCommand(CLI::App& app) {
   auto* command =
       app.add_subcommand("nodes", "Reference: node types, their fields, types, access, defaults, units");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<NodesOptions>();
   command->add_option("TYPE", options->type, "One node type");
   command->add_option("--library", options->libraries, "Plugins to load; repeat for more")
       ->allow_extra_args(false)

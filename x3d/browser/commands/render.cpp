@@ -14,7 +14,7 @@ namespace pleura {
 
 namespace {
 
-struct Options : SceneOptions {
+struct RenderOptions : SceneOptions {
   PictureOptions picture;
   std::filesystem::path output;
   double at = 0;
@@ -22,14 +22,14 @@ struct Options : SceneOptions {
   double framesPerSecond = 30;
 };
 
-void renderStill(const Options& options, Scene& scene, Playback& playback) {
+void renderStill(const RenderOptions& options, Scene& scene, Playback& playback) {
   playback.runUntil(options.at);
   render::writePng(options.picture.view(scene)->picture(), options.output);
 }
 
 /// Frames to a film or to numbered pictures in a folder; the clock steps with the frames unless --step is
 /// finer.
-void renderFrames(const Options& options, Scene& scene, Playback& playback) {
+void renderFrames(const RenderOptions& options, Scene& scene, Playback& playback) {
   auto view = options.picture.view(scene);
   const bool isFilm = options.output.extension() == ".mp4";
   std::unique_ptr<render::FilmWriter> film;
@@ -51,7 +51,7 @@ void renderFrames(const Options& options, Scene& scene, Playback& playback) {
   if (film) film->close();
 }
 
-void renderScene(Options options, bool hasStep) {
+void renderScene(RenderOptions options, bool hasStep) {
   const bool isStill = options.output.extension() == ".png";
   if (isStill && options.seconds >= 0)
     throw UsageError("--for makes a film or a folder of pictures: -o x.mp4 or a folder");
@@ -69,7 +69,7 @@ void renderScene(Options options, bool hasStep) {
 void addRenderCommand(CLI::App& app) {
   auto* command =
       app.add_subcommand("render", "Draw a scene off screen: a picture, a film or a folder of frames");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderOptions>();
   options->addTo(*command);
   options->addPlaybackTo(*command);
   options->picture.addTo(*command);

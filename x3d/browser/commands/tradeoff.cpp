@@ -20,7 +20,7 @@ namespace pleura {
 
 namespace {
 
-struct Options : SceneOptions {
+struct TradeoffOptions : SceneOptions {
   std::filesystem::path output;
   double seconds = 4;
   int moments = 4;
@@ -50,7 +50,7 @@ using Shapes = std::vector<std::vector<Vec3f>>;
 /// One scene's breath through all tiers.
 class Comparison {
  public:
-  Comparison(Scene& scene, const Options& options)
+  Comparison(Scene& scene, const TradeoffOptions& options)
       : scene_(scene),
         options_(options),
         breaths_(recordBreath(scene, options.seconds, options.moments)),
@@ -115,7 +115,7 @@ class Comparison {
   }
 
   Scene& scene_;
-  const Options& options_;
+  const TradeoffOptions& options_;
   std::vector<OrganBreath> breaths_;
   FigureTable table_;
 };
@@ -129,7 +129,7 @@ void keep(const std::filesystem::path& figures) {
   if (problem) fmt::print(stderr, "{}: the figures can't be kept: {}\n", kept.string(), problem.message());
 }
 
-void compare(const Options& options) {
+void compare(const TradeoffOptions& options) {
   std::filesystem::create_directories(options.output);
   const auto scene = options.load();
   for (const auto& assignment : options.playback.set) scene->set(assignment);
@@ -147,7 +147,7 @@ void compare(const Options& options) {
 void addTradeoffCommand(CLI::App& app) {
   auto* command =
       app.add_subcommand("tradeoff", "Measure error against cost for every way to deform an organ");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TradeoffOptions>();
   options->addTo(*command);
   command
       ->add_option("-o,--output", options->output,

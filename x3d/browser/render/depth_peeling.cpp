@@ -4,11 +4,12 @@
 namespace pleura::render {
 namespace {
 
-constexpr const char* version = "#version 330 core\n";
+constexpr const char* kPeelingVersion = "#version 330 core\n";
 
 std::string peelHeader(bool perSample) {
-  if (!perSample) return std::string(version) + "#define SAMPLE 0\n";
-  return std::string(version) + "#extension GL_ARB_sample_shading : require\n#define SAMPLE gl_SampleID\n";
+  if (!perSample) return std::string(kPeelingVersion) + "#define SAMPLE 0\n";
+  return std::string(kPeelingVersion) +
+         "#extension GL_ARB_sample_shading : require\n#define SAMPLE gl_SampleID\n";
 }
 
 }  // namespace
@@ -16,7 +17,7 @@ std::string peelHeader(bool perSample) {
 DepthPeeling::DepthPeeling(const GlFunctions& gl, bool perSample)
     : gl_(gl),
       peel_(gl, peelHeader(perSample), shaders::peelFragment, SurfacePass::Variants::OnlyOne),
-      shaded_(gl, version, std::string(shaders::surfaceFragment) + shaders::surfaceOutput),
+      shaded_(gl, kPeelingVersion, std::string(shaders::surfaceFragment) + shaders::surfaceOutput),
       anything_(gl) {}
 
 int DepthPeeling::draw(const RenderTarget& target, std::span<const SurfaceDraw> surfaces,

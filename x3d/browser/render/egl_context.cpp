@@ -8,7 +8,7 @@
 namespace pleura::render {
 namespace {
 
-void require(bool done, const char* what) {
+void requireEgl(bool done, const char* what) {
   if (!done) throw std::runtime_error(what);
 }
 
@@ -17,18 +17,18 @@ void require(bool done, const char* what) {
 EglContext::EglContext() : library_({"libEGL.so.1", "libEGL.so"}) {
   const auto getPlatformDisplay =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(getProcAddress("eglGetPlatformDisplayEXT"));
-  require(getPlatformDisplay != nullptr, "no eglGetPlatformDisplayEXT");
+  requireEgl(getPlatformDisplay != nullptr, "no eglGetPlatformDisplayEXT");
   display_ = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  require(display_ != EGL_NO_DISPLAY, "no surfaceless display");
-  require(library_.function<PFNEGLINITIALIZEPROC>("eglInitialize")(display_, nullptr, nullptr),
-          "eglInitialize failed");
-  require(library_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API), "no desktop OpenGL");
+  requireEgl(display_ != EGL_NO_DISPLAY, "no surfaceless display");
+  requireEgl(library_.function<PFNEGLINITIALIZEPROC>("eglInitialize")(display_, nullptr, nullptr),
+             "eglInitialize failed");
+  requireEgl(library_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API), "no desktop OpenGL");
 
   const EGLint any[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   library_.function<PFNEGLCHOOSECONFIGPROC>("eglChooseConfig")(display_, any, &config, 1, &count);
-  require(count > 0, "no configuration for OpenGL");
+  requireEgl(count > 0, "no configuration for OpenGL");
   const EGLint core33[] = {EGL_CONTEXT_MAJOR_VERSION,
                            3,
                            EGL_CONTEXT_MINOR_VERSION,
@@ -38,7 +38,7 @@ EglContext::EglContext() : library_({"libEGL.so.1", "libEGL.so"}) {
                            EGL_NONE};
   context_ = library_.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext")(display_, config, EGL_NO_CONTEXT,
                                                                             core33);
-  require(context_ != EGL_NO_CONTEXT, "no OpenGL 3.3 core context");
+  requireEgl(context_ != EGL_NO_CONTEXT, "no OpenGL 3.3 core context");
   makeCurrent();
 }
 
@@ -49,9 +49,9 @@ EglContext::~EglContext() {
 }
 
 void EglContext::makeCurrent() {
-  require(library_.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE,
-                                                                     context_),
-          "eglMakeCurrent failed");
+  requireEgl(library_.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent")(display_, EGL_NO_SURFACE,
+                                                                        EGL_NO_SURFACE, context_),
+             "eglMakeCurrent failed");
 }
 
 GlFunction EglContext::getProcAddress(const char* name) const {

@@ -4,7 +4,7 @@
 namespace pleura::render {
 namespace {
 
-constexpr const char* version = "#version 430 core\n";
+constexpr const char* kListsVersion = "#version 430 core\n";
 constexpr std::uint32_t initialCapacity = 1u << 20;
 constexpr GLsizeiptr bytesPerFragment = 16;
 constexpr GLuint headsBinding = 0, fragmentsBinding = 1;
@@ -18,7 +18,7 @@ struct ListHeader {
 };
 
 std::string blenderHeader(int samples) {
-  return std::string(version) + "#define SAMPLES " + std::to_string(samples) + "\n";
+  return std::string(kListsVersion) + "#define SAMPLES " + std::to_string(samples) + "\n";
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ std::string blenderHeader(int samples) {
 FragmentLists::FragmentLists(const GlFunctions& gl, int samples)
     : gl_(gl),
       lister_(
-          gl, version,
+          gl, kListsVersion,
           std::string(shaders::surfaceFragment) + shaders::fragmentListBuffers + shaders::fragmentListOutput),
       blender_(gl, blenderHeader(samples), shaders::wholePictureVertex,
                (std::string(shaders::fragmentListBuffers) + shaders::fragmentListBlend).c_str()),

@@ -1,17 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <Eigen/Geometry>
 
 #include <pleura/x3d/browser/render/projection.h>
+#include <pleura/x3d/browser/render/require.h>
 
 namespace pleura::render {
 namespace {
-
-void require(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(message);
-}
 
 Eigen::Matrix4f perspective(const Camera& camera, float width, float height) {
   require(camera.fieldOfView > 0 && camera.fieldOfView < 3.1415926f,

@@ -1,17 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
+#include <pleura/x3d/browser/render/require.h>
 #include <pleura/x3d/browser/render/tessellate.h>
 #include <pleura/x3d/browser/render/text_geometry.h>
 
 namespace pleura::render {
 namespace {
-
-void require(bool holds, const char* message) {
-  if (!holds) throw std::invalid_argument(message);
-}
 
 float fraction(TextJustify justify) {
   return justify == TextJustify::Middle ? 0.5f : justify == TextJustify::End ? 1.0f : 0.0f;

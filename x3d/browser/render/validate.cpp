@@ -1,22 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <stdexcept>
-
-#include <fmt/format.h>
 
 #include <pleura/x3d/browser/render/background_pass.h>
 #include <pleura/x3d/browser/render/projection.h>
+#include <pleura/x3d/browser/render/require.h>
 #include <pleura/x3d/browser/render/validate.h>
 
 namespace pleura::render {
 namespace {
-
-/// Nothing is written, and no memory taken, while all is well: this is asked of every frame.
-template <class... Args>
-void require(bool holds, fmt::format_string<const Args&...> what, const Args&... args) {
-  if (!holds) throw std::invalid_argument(fmt::format(what, args...));
-}
 
 template <class Value>
 void requireFinite(const Value& value, const char* name) {

@@ -12,7 +12,7 @@
 namespace pleura {
 namespace {
 
-constexpr float kRadius = 0.1f;  // [m] about a lung's
+constexpr float kLungRadius = 0.1f;  // [m] about a lung's
 
 bool sameBits(const Points& a, const Points& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
@@ -44,7 +44,7 @@ FeasiblePull feasiblePull(Organ& organ, std::mt19937& random, int count) {
 }
 
 TEST(ChainmailSolver, OneDrivenPointIsExactAndTheRestFinite) {
-  Organ organ(icosphere(3, kRadius));
+  Organ organ(icosphere(3, kLungRadius));
   const Points targets{{0.03f, 0.11f, -0.02f}};
   const ChainmailReport report = organ.pull({7}, targets);
   EXPECT_EQ(organ.positions[7], targets[0]);
@@ -110,7 +110,7 @@ TEST(ChainmailSolver, FullMotionIsKeptNextToEachOfManyContacts) {
 TEST(ChainmailSolver, KeepsEveryLinkOfFeasiblePulls) {
   std::mt19937 random(11);
   for (const ChainmailMaterial& material : {ChainmailMaterial{}, kDiaphragm}) {
-    Organ organ(icosphere(3, kRadius), {material});
+    Organ organ(icosphere(3, kLungRadius), {material});
     for (int trial = 0; trial < 60; ++trial) {
       const FeasiblePull pull = feasiblePull(organ, random, 1 + trial % 9);
       const ChainmailReport report = organ.pull(pull.driven, pull.targets);
@@ -126,7 +126,7 @@ TEST(ChainmailSolver, KeepsEveryLinkOfFeasiblePulls) {
 // nearest to its rest, or in the middle where the driven points contradict each other.
 TEST(ChainmailSolver, MovesEachPointByTheLeastThatIsAllowed) {
   std::mt19937 random(5);
-  Organ organ(icosphere(1, kRadius));
+  Organ organ(icosphere(1, kLungRadius));
   const int n = static_cast<int>(organ.mesh.points.size());
   const ChainmailTopology& topology = organ.model.topology;
   for (int trial = 0; trial < 40; ++trial) {
@@ -165,7 +165,7 @@ TEST(ChainmailSolver, MovesEachPointByTheLeastThatIsAllowed) {
 
 TEST(ChainmailSolver, TheOrderOfDrivenPointsChangesNoBit) {
   std::mt19937 random(17);
-  Organ organ(icosphere(3, kRadius));
+  Organ organ(icosphere(3, kLungRadius));
   for (const float reach : {0.01f, 0.2f})
     for (const int sweeps : {0, 3}) {
       ChainmailOptions options;
@@ -193,7 +193,7 @@ TEST(ChainmailSolver, TheOrderOfDrivenPointsChangesNoBit) {
 
 TEST(ChainmailSolver, TheNumberingOfPointsChangesNoBit) {
   std::mt19937 random(19);
-  Organ organ(icosphere(3, kRadius));
+  Organ organ(icosphere(3, kLungRadius));
   std::vector<int> number(642);
   std::iota(number.begin(), number.end(), 0);
   std::shuffle(number.begin(), number.end(), random);
@@ -226,7 +226,7 @@ TEST(ChainmailSolver, ATurnedBodyAtRestViolatesNoLink) {
 
 TEST(ChainmailSolver, TurningEverythingTurnsTheAnswer) {
   std::mt19937 random(23);
-  Organ organ(icosphere(3, kRadius));
+  Organ organ(icosphere(3, kLungRadius));
   ChainmailOptions turned;
   turned.frame =
       Eigen::Translation3d(0.3, -0.2, 0.5) * Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized());
@@ -245,7 +245,7 @@ TEST(ChainmailSolver, TurningEverythingTurnsTheAnswer) {
 }
 
 TEST(ChainmailSolver, ExhaleReturnsExactlyToRest) {
-  Organ organ(icosphere(4, kRadius));
+  Organ organ(icosphere(4, kLungRadius));
   const std::vector<int> driven{5, 700, 2000};
   organ.pull(driven, organ.displaced(driven, Points(3, {0.03f, 0.02f, 0})));
   EXPECT_FALSE(sameBits(organ.positions, organ.mesh.points));
@@ -255,7 +255,7 @@ TEST(ChainmailSolver, ExhaleReturnsExactlyToRest) {
 }
 
 TEST(ChainmailSolver, WhatNobodyPullsStaysAtRestToTheBit) {
-  Organ organ(icosphere(4, kRadius));
+  Organ organ(icosphere(4, kLungRadius));
   const ChainmailReport report = organ.pull({0}, organ.displaced({0}, {{0.004f, 0, 0}}));
   int moved = 0;
   for (std::size_t i = 0; i < organ.positions.size(); ++i)
@@ -267,7 +267,7 @@ TEST(ChainmailSolver, WhatNobodyPullsStaysAtRestToTheBit) {
 
 // Contradiction: two points are torn apart farther than the links between them stretch.
 TEST(ChainmailSolver, ContradictionsAreReportedAndStayAtTheDrivenPoints) {
-  Organ organ(icosphere(3, kRadius));
+  Organ organ(icosphere(3, kLungRadius));
   const std::vector<int> driven{0, 300};
   const Points targets = organ.displaced(driven, {{2, 0, 0}, {-2, 1, 0}});
   const ChainmailReport report = organ.pull(driven, targets);
@@ -281,7 +281,7 @@ TEST(ChainmailSolver, ContradictionsAreReportedAndStayAtTheDrivenPoints) {
 }
 
 TEST(ChainmailSolver, ContradictionsBeginWithoutAJump) {
-  Organ organ(icosphere(2, kRadius));
+  Organ organ(icosphere(2, kLungRadius));
   const std::vector<int> driven{0, 3};
   Points before = organ.positions;
   bool wasKept = true, isKept = true;
@@ -297,7 +297,7 @@ TEST(ChainmailSolver, ContradictionsBeginWithoutAJump) {
 }
 
 TEST(ChainmailSolver, RigidPointsMoveAsOne) {
-  TriangleMesh mesh = icosphere(3, kRadius);
+  TriangleMesh mesh = icosphere(3, kLungRadius);
   std::vector<ChainmailMaterial> material(mesh.points.size());
   std::vector<int> cap;
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
@@ -325,7 +325,7 @@ double roughness(const Organ& organ, const Points& positions) {
 
 TEST(ChainmailSolver, SmoothingSmoothsAndKeepsTheLimits) {
   std::mt19937 random(29);
-  Organ organ(icosphere(4, kRadius));
+  Organ organ(icosphere(4, kLungRadius));
   for (int trial = 0; trial < 20; ++trial) {
     const FeasiblePull pull = feasiblePull(organ, random, 5);
     organ.pull(pull.driven, pull.targets);
@@ -343,7 +343,7 @@ TEST(ChainmailSolver, SmoothingSmoothsAndKeepsTheLimits) {
 }
 
 TEST(ChainmailSolver, RefusesWhatItCannotUseAndKeepsTheLastShape) {
-  Organ organ(icosphere(2, kRadius));
+  Organ organ(icosphere(2, kLungRadius));
   organ.pull({4}, organ.displaced({4}, {{0.02f, 0, 0}}));
   const Points last = organ.positions;
   const Eigen::Vector3f p(0, 0.1f, 0);
@@ -380,7 +380,7 @@ TEST(ChainmailSolver, RefusesWhatItCannotUseAndKeepsTheLastShape) {
 }
 
 TEST(ChainmailSolver, APointDrivenTwiceToOnePlaceIsDrivenOnce) {
-  Organ organ(icosphere(2, kRadius));
+  Organ organ(icosphere(2, kLungRadius));
   const Eigen::Vector3f p(0.05f, 0.1f, 0);
   organ.pull({9}, {p});
   const Points once = organ.positions;
@@ -390,7 +390,7 @@ TEST(ChainmailSolver, APointDrivenTwiceToOnePlaceIsDrivenOnce) {
 
 TEST(ChainmailSolver, EarlierSolvesLeaveNoTrace) {
   std::mt19937 random(31);
-  Organ worn(icosphere(3, kRadius));
+  Organ worn(icosphere(3, kLungRadius));
   for (int trial = 0; trial < 30; ++trial) {
     const std::vector<int> driven = randomPoints(random, trial % 7, 642);
     Points by(driven.size());

@@ -229,7 +229,7 @@ TEST(Lattice, RaisesWhatIsNextToEmpty) {
   EXPECT_THAT(findings(coarse), testing::Contains(HasSubstr("cells are too large for the body")));
 }
 
-std::string refusal(const TriangleMesh& mesh, const LatticeOptions& options = {}) {
+std::string latticeRefusal(const TriangleMesh& mesh, const LatticeOptions& options = {}) {
   try {
     makeLattice(mesh, options);
   } catch (const std::invalid_argument& error) {
@@ -240,25 +240,26 @@ std::string refusal(const TriangleMesh& mesh, const LatticeOptions& options = {}
 
 TEST(Lattice, RefusesWithAPlainSentence) {
   const TriangleMesh cube = shapes::cube();
-  EXPECT_EQ(refusal({}), "triangles: there are none");
-  EXPECT_THAT(refusal({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}),
+  EXPECT_EQ(latticeRefusal({}), "triangles: there are none");
+  EXPECT_THAT(latticeRefusal({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}),
               HasSubstr("no closed surface: 3 of 3"));
-  EXPECT_EQ(refusal({{{1, 2, 3}}, {{0, 0, 0}}}), "triangles: the surface encloses no volume");
+  EXPECT_EQ(latticeRefusal({{{1, 2, 3}}, {{0, 0, 0}}}), "triangles: the surface encloses no volume");
   const TriangleMesh flat = bodies::placed(shapes::sphere(24), {0, 0, 5}, Vector3d(1, 1, 0).asDiagonal());
-  EXPECT_EQ(refusal(flat), "triangles: the surface encloses no volume");
+  EXPECT_EQ(latticeRefusal(flat), "triangles: the surface encloses no volume");
   const TriangleMesh sheet = bodies::placed(bodies::cut(shapes::sphere(24), {0, 0, 1}, 0.1f), {0, 0, 5},
                                             bodies::tilted() * Vector3d(1, 1, 0).asDiagonal());
-  EXPECT_EQ(refusal(sheet), "triangles: the surface encloses no volume");
+  EXPECT_EQ(latticeRefusal(sheet), "triangles: the surface encloses no volume");
   const float infinity = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(refusal({{{0, 0, 0}, {1, infinity, 0}}, {{0, 1, 1}}}), "points: point 1 is not finite");
-  EXPECT_EQ(refusal({{{0, 0, 0}}, {{0, -1, 0}}}), "triangles: triangle 0 uses point -1 of 1");
-  EXPECT_EQ(refusal(cube, {.elements = 0}), "elements: must be from 1 to 1000000, is 0");
-  EXPECT_EQ(refusal(cube, {.cellSize = -1}), "cellSize: must be 0 or a length in metres");
-  EXPECT_EQ(refusal(cube, {.cellSize = std::numeric_limits<double>::quiet_NaN()}),
+  EXPECT_EQ(latticeRefusal({{{0, 0, 0}, {1, infinity, 0}}, {{0, 1, 1}}}), "points: point 1 is not finite");
+  EXPECT_EQ(latticeRefusal({{{0, 0, 0}}, {{0, -1, 0}}}), "triangles: triangle 0 uses point -1 of 1");
+  EXPECT_EQ(latticeRefusal(cube, {.elements = 0}), "elements: must be from 1 to 1000000, is 0");
+  EXPECT_EQ(latticeRefusal(cube, {.cellSize = -1}), "cellSize: must be 0 or a length in metres");
+  EXPECT_EQ(latticeRefusal(cube, {.cellSize = std::numeric_limits<double>::quiet_NaN()}),
             "cellSize: must be 0 or a length in metres");
-  EXPECT_EQ(refusal(cube, {.leastFill = 0}), "leastFill: must be above 0 and at most 1");
-  EXPECT_THAT(refusal(cube, {.cellSize = 1e-3}), HasSubstr("are too small: over 8388608 in the block"));
-  EXPECT_THAT(refusal(cube, {.cellSize = 1e-300}), HasSubstr("are too small"));
+  EXPECT_EQ(latticeRefusal(cube, {.leastFill = 0}), "leastFill: must be above 0 and at most 1");
+  EXPECT_THAT(latticeRefusal(cube, {.cellSize = 1e-3}),
+              HasSubstr("are too small: over 8388608 in the block"));
+  EXPECT_THAT(latticeRefusal(cube, {.cellSize = 1e-300}), HasSubstr("are too small"));
 }
 
 }  // namespace

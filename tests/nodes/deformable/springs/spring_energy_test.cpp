@@ -9,8 +9,8 @@
 namespace pleura {
 namespace {
 
-const std::vector<SpringInterior> kInteriors{EmptyInterior(), GasInterior{100, 40}, PressureInterior{-70},
-                                             VolumeInterior()};
+const std::vector<SpringInterior> kPressedInteriors{EmptyInterior(), GasInterior{100, 40},
+                                                    PressureInterior{-70}, VolumeInterior()};
 
 Points shaken(const Points& points, std::mt19937& random, double reach) {
   Points result;
@@ -31,7 +31,7 @@ SpringEnergy evaluateStep(ElasticSurface& surface, const Points& before, const P
 // Springs, dampers, inertia and every interior, at a shape far from rest.
 TEST(SpringEnergy, ForcesAreItsFiniteDifferences) {
   std::mt19937 random(1);
-  for (const SpringInterior& interior : kInteriors) {
+  for (const SpringInterior& interior : kPressedInteriors) {
     ElasticSurface surface(geodesicSphere(2, 1), {{50}, {0.1}, 0.3}, interior);
     const Points before = shaken(surface.model.rest, random, 0.1), at = shaken(before, random, 0.3);
     const Points velocities = shaken(Points(at.size(), Eigen::Vector3d::Zero()), random, 1);
