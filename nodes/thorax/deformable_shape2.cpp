@@ -90,6 +90,13 @@ void DeformableShape2::takeRest() {
   solver->setRest(shape, restRigid_);
 }
 
+std::uint64_t DeformableShape2::restStamp(DeformerNode& solver) {
+  std::uint64_t stamp = std::max(deformer.getStamp(), origCoord.getStamp());
+  if (!usable_)
+    for (const Field* input : solver.inputs()) stamp = std::max(stamp, input->getStamp());
+  return stamp;
+}
+
 void DeformableShape2::gatherContacts() {
   const auto& index = contactIndex.getValue();
   const auto& point = contactPoint.getValue();
@@ -121,15 +128,16 @@ void DeformableShape2::deform(std::vector<Vec3f>& positions) {
   auto* solver = deformer.get();
   if (solver == nullptr) return;
   try {
-    const std::uint64_t stamp = std::max(deformer.getStamp(), origCoord.getStamp());
+    const std::uint64_t stamp = restStamp(*solver);
     const auto& rigid = rigidPoints();
-    if (stamp != restStamp_ || rigid != restRigid_ || !usable_) {
+    if (stamp > restStamp_ || rigid != restRigid_) {
       restStamp_ = stamp;
       restRigid_ = rigid;
       usable_ = false;
       takeRest();
       usable_ = true;
     }
+    if (!usable_) return;
     driven_.clear();
     targets_.clear();
     gatherContacts();

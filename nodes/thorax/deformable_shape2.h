@@ -66,6 +66,9 @@ class DeformableShape2 : public X3DShapeNode, public TouchableShape {
   void deform(std::vector<Vec3f>& positions);
   bool givesWay();
   void takeRest();
+  /// Grows when the deformer has to be given the shape at rest: another one, or, where it has refused it,
+  /// once one of its own fields has changed.
+  std::uint64_t restStamp(DeformerNode& solver);
   /// Every point is held: there is nothing left for the deformer to do.
   void takeTargets(std::vector<Vec3f>& positions);
 

@@ -1,0 +1,95 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <pleura/nodes/standard/geometry3d/indexed_face_set.h>
+#include <pleura/nodes/standard/rendering/coordinate.h>
+#include <pleura/nodes/thorax/deformable_shape2.h>
+#include <pleura/tests/nodes/test_context.h>
+
+namespace pleura {
+namespace {
+
+/// Takes no shape while its modulus is 0, and counts how often it is given one.
+class Particular : public DeformerNode {
+ public:
+  SFFloat modulus;
+  int shapesGiven = 0;
+
+  static void declare(NodeType& type) {
+    DeformerNode::declare(type);
+    type.named("Particular", "Test");
+    type.field<&Particular::modulus>("modulus", Access::inputOutput, 0);
+  }
+  void setRest(const TriangleMesh& rest, std::span<const int>) override {
+    ++shapesGiven;
+    if (modulus.getValue() == 0) throw std::invalid_argument("modulus: above 0 is expected");
+    rest_ = rest;
+  }
+  void deform(std::span<const int>, std::span<const Vec3f> targets, std::span<Vec3f> positions) override {
+    for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = rest_.points[i] + targets[0];
+  }
+  std::vector<Field*> inputs() override { return {&modulus}; }
+
+ private:
+  TriangleMesh rest_;
+};
+
+class DeformableShape2Test : public ::testing::Test {
+ protected:
+  DeformableShape2Test() {
+    const auto points = context.make<Coordinate>([](Coordinate& c) {
+      c.point.setValue({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    });
+    const auto faces = context.make<IndexedFaceSet>([&](IndexedFaceSet& f) {
+      f.coord.setValue(points);
+      f.coordIndex.setValue({0, 1, 2, -1});
+    });
+    organ = context.make<DeformableShape2>([&](DeformableShape2& shape) {
+      shape.geometry.setValue(faces);
+      shape.deformer.setValue(deformer);
+      shape.contactIndex.setValue({0});
+    });
+  }
+
+  void breathe(int frames) {
+    for (int k = 0; k < frames; ++k) {
+      organ->contactPoint.setValue({{0, 0, 0.1f * static_cast<float>(++moves_)}});
+      organ->deformedCoord.upToDate();
+    }
+  }
+
+  TestContext context;
+  std::shared_ptr<Particular> deformer = context.make<Particular>();
+  std::shared_ptr<DeformableShape2> organ;
+
+ private:
+  int moves_ = 0;
+};
+
+TEST_F(DeformableShape2Test, ADeformerThatRefusesTheShapeIsNotAskedAtEveryFrame) {
+  breathe(3);
+  EXPECT_EQ(deformer->shapesGiven, 1);
+  EXPECT_EQ(organ->deformedCoord.getValue(), organ->origCoord.getValue());
+  ASSERT_FALSE(context.warnings.empty());
+  EXPECT_THAT(context.warnings.front(), ::testing::HasSubstr("modulus: above 0 is expected"));
+}
+
+TEST_F(DeformableShape2Test, IsAskedAgainOnceItsFieldsHaveChangedAndThenNoMore) {
+  breathe(1);
+  deformer->modulus.setValue(1);
+  breathe(3);
+  EXPECT_EQ(deformer->shapesGiven, 2);
+  EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 0.4f, 1e-6f);
+}
+
+TEST_F(DeformableShape2Test, AnotherShapeAtRestIsGivenToIt) {
+  deformer->modulus.setValue(1);
+  breathe(2);
+  organ->origCoord.setValue({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
+  breathe(2);
+  EXPECT_EQ(deformer->shapesGiven, 2);
+  EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 1.4f, 1e-6f);
+}
+
+}  // namespace
+}  // namespace pleura
