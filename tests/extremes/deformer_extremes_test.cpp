@@ -197,6 +197,59 @@ TEST_P(DeformerExtremes, RepeatedIsTheSameBitForBit) {
   EXPECT_EQ(first, second);
 }
 
+/// Organs that move with inertia: the shape is that of the moment, whatever the step.
+class MovingExtremes : public DeformerExtremes {
+ protected:
+  std::shared_ptr<DeformerNode> moving() {
+    auto deformer = GetParam().make(context);
+    deformer->getField("quasiStatic")->setValueFromString("false");
+    deformer->setRest(ball, {});
+    advance(*deformer, 0, kExtremes[0]);
+    return deformer;
+  }
+
+  Points advance(DeformerNode& deformer, double step, const Extreme& extreme) {
+    context.tick(now_ += step);
+    Points shape = ball.points;
+    deformer.deform(driven, targetsOf(extreme), shape);
+    return shape;
+  }
+
+ private:
+  double now_ = 0;
+};
+
+TEST_P(MovingExtremes, StaysFiniteAtAnyStepOfTimeAndComesToRest) {
+  for (const double step : {1e-6, 1e-2, 1e3}) {
+    const auto deformer = moving();
+    bool isFine = true;
+    for (const Extreme& extreme : kExtremes)
+      for (int k = 0; k < 3; ++k) isFine = isFine && allFinite(advance(*deformer, step, extreme));
+    double left = 0;
+    for (int k = 0; k < 3; ++k) left = farthest(advance(*deformer, 1e3, kExtremes[0]), ball.points);
+    fmt::print("{:24} steps of {:g} s  finite {}  residual {:>10}  converged {:5}  left at rest {:.1e} m\n",
+               GetParam().name, step, isFine ? "yes" : "NO ", numberOf(*deformer, "residual"),
+               numberOf(*deformer, "converged"), left);
+    EXPECT_TRUE(isFine) << step;
+    EXPECT_LT(left, 1e-6) << step;
+  }
+}
+
+TEST_P(MovingExtremes, ALongStepIsTheStaticAnswer) {
+  const Extreme pull{"pull", [](const Vec3f& p, std::mt19937&) { return Vec3f(1.1f * p.x(), p.y(), p.z()); }};
+  const auto still = GetParam().make(context);
+  still->setRest(ball, {});
+  const auto deformer = moving();
+  const Points moved = advance(*deformer, 1e6, pull), expected = advance(*still, 0, pull);
+  EXPECT_LT(farthest(moved, expected), 1e-6);
+  EXPECT_GT(farthest(moved, ball.points), 1e-3);
+}
+
+const auto kMovingTiers = std::vector<Tier>(std::begin(kTiers) + 3, std::end(kTiers));
+
+INSTANTIATE_TEST_SUITE_P(Tiers, MovingExtremes, ::testing::ValuesIn(kMovingTiers),
+                         [](const auto& test) { return std::to_string(test.index); });
+
 INSTANTIATE_TEST_SUITE_P(Tiers, DeformerExtremes, ::testing::ValuesIn(kTiers),
                          [](const auto& test) { return std::to_string(test.index); });
 
