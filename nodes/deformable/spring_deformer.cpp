@@ -21,7 +21,11 @@ void SpringDeformer::declare(NodeType& type) {
   type.field<&SpringDeformer::pressure>("pressure", inputOutput, 0)
       .measuredIn(Unit::pressure)
       .within(-1e9, 1e9)
-      .means("inside less outside, at rest");
+      .means("inside less outside, from PleuralSpace.transpulmonaryPressure; of a GAS, at rest");
+  type.field<&SpringDeformer::restPressure>("restPressure", inputOutput, 0)
+      .measuredIn(Unit::pressure)
+      .within(-1e9, 1e9)
+      .means("a PRESSURE at which the shape is at rest; the load is what is above it");
   type.field<&SpringDeformer::ambientPressure>("ambientPressure", inputOutput, 101325)
       .measuredIn(Unit::pressure)
       .within(0, 1e9)
@@ -34,7 +38,9 @@ void SpringDeformer::declare(NodeType& type) {
       .means("inside less outside, now");
 }
 
-std::vector<Field*> SpringDeformer::inputs() { return {&stiffness, &interior, &pressure, &ambientPressure}; }
+std::vector<Field*> SpringDeformer::inputs() {
+  return {&stiffness, &interior, &ambientPressure, &pressure, &restPressure};
+}
 
 void SpringDeformer::setRest(const TriangleMesh& rest, std::span<const int> /*rigidPoints*/) {
   rest_ = rest;
@@ -50,7 +56,7 @@ void SpringDeformer::makeModel() {
     const double volume = std::abs(signedVolume(rest_.points, rest_.triangles));
     inside = GasInterior{(outside + pressure.getValue()) * volume, outside};
   } else if (kind == "PRESSURE") {
-    inside = PressureInterior{pressure.getValue()};
+    inside = PressureInterior{};
   } else if (kind == "VOLUME") {
     inside = VolumeInterior{};
   } else if (kind != "EMPTY") {
@@ -60,16 +66,22 @@ void SpringDeformer::makeModel() {
   workspace_.emplace(*model_);
   positions_.resize(rest_.points.size());
   targets_.reserve(rest_.points.size());
-  modelStamp_ = 0;
-  for (Field* input : inputs()) modelStamp_ = std::max(modelStamp_, input->getStamp());
+  modelStamp_ = modelStamp();
+}
+
+std::uint64_t SpringDeformer::modelStamp() const {
+  const std::uint64_t stamp =
+      std::max({stiffness.getStamp(), interior.getStamp(), ambientPressure.getStamp()});
+  const bool isMadeOfGas = model_ && std::holds_alternative<GasInterior>(model_->interior);
+  return isMadeOfGas ? std::max(stamp, pressure.getStamp()) : stamp;
 }
 
 void SpringDeformer::deform(std::span<const int> driven, std::span<const Vec3f> targets,
                             std::span<Vec3f> positions) {
   requireFinite(targets);
-  std::uint64_t stamp = 0;
-  for (Field* input : inputs()) stamp = std::max(stamp, input->getStamp());
-  if (!model_ || stamp != modelStamp_) makeModel();
+  if (!model_ || modelStamp() != modelStamp_) makeModel();
+  if (auto* inside = std::get_if<PressureInterior>(&model_->interior))
+    inside->difference = double{pressure.getValue()} - restPressure.getValue();
   targets_.resize(targets.size());
   inDouble(targets, targets_);
   const SpringReport report = solveSprings(*model_, *workspace_, driven, targets_, {}, positions_);

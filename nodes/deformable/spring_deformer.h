@@ -15,6 +15,7 @@ class SpringDeformer : public DeformerNode {
   SFFloat stiffness;
   SFString interior;
   SFFloat pressure;
+  SFFloat restPressure;
   SFFloat ambientPressure;
 
   SFInt32 iterations;
@@ -31,6 +32,8 @@ class SpringDeformer : public DeformerNode {
 
  private:
   void makeModel();
+  /// Grows when the model has to be made anew: a pressure that is given is no part of it.
+  std::uint64_t modelStamp() const;
 
   TriangleMesh rest_;
   std::optional<SpringModel> model_;
