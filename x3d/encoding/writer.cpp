@@ -5,40 +5,14 @@
 
 #include <pleura/nodes/core/node_type.h>
 #include <pleura/x3d/encoding/writer.h>
+#include <pleura/x3d/encoding/xml_text.h>
 
 namespace pleura {
 
 namespace {
 
-/// With the quotes around it; XML keeps line ends and tabs in values only as references.
-std::string attributeText(std::string_view value) {
-  std::string out = "'";
-  for (const char c : value) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '\'':
-        out += "&apos;";
-        break;
-      case '\n':
-        out += "&#10;";
-        break;
-      case '\r':
-        out += "&#13;";
-        break;
-      case '\t':
-        out += "&#9;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out + "'";
-}
+/// With the quotes around it.
+std::string attributeText(std::string_view value) { return "'" + xmlText(value) + "'"; }
 
 class Writer {
  public:

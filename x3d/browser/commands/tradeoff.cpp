@@ -64,7 +64,8 @@ class Comparison {
 
   const FigureTable& run() {
     for (const OrganBreath& breath : breaths_) {
-      const Shapes reference = referenceOf(breath);
+      const auto number = &breath - breaths_.data();
+      const Shapes reference = referenceOf(breath, options_.output / fmt::format("reference_{}.bin", number));
       for (const auto& tier : deformationTiers(options_.elements)) measure(breath, tier, reference);
     }
     return table_;
@@ -77,9 +78,8 @@ class Comparison {
   }
 
   /// Two levels finer than the coarsest lattice; kept in a file, since it takes longest.
-  Shapes referenceOf(const OrganBreath& breath) {
+  Shapes referenceOf(const OrganBreath& breath, const std::filesystem::path& file) {
     const auto tier = referenceTier(64 * options_.elements);
-    const auto file = options_.output / (breath.organ + "_reference.bin");
     if (table_.has(breath.organ, tier.method, tier.elements))
       if (auto kept = readShapes(file, breath.moments.size(), breath.rest.points.size())) return *kept;
     const TierRun run = runWithProgress(breath, tier);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <pleura/x3d/browser/scene/reference.h>
+#include <pleura/x3d/encoding/xml_text.h>
 
 namespace pleura {
 
@@ -19,10 +20,6 @@ std::string escaped(std::string_view text, char what, std::string_view by) {
   std::string out;
   for (const char c : text) c == what ? void(out += by) : void(out += c);
   return out;
-}
-
-std::string xmlText(std::string_view text) {
-  return escaped(escaped(escaped(text, '&', "&amp;"), '<', "&lt;"), '"', "&quot;");
 }
 
 }  // namespace
@@ -82,7 +79,7 @@ std::string referenceAsXsd(const std::vector<const NodeType*>& types) {
       const bool isReserved = field->name == "class" || field->name == "id" || field->name == "style";
       if (isReserved) continue;
       out += fmt::format("      <xs:attribute name=\"{}\" type=\"xs:string\" default=\"{}\"/>\n", field->name,
-                         xmlText(field->defaultText));
+                         xmlText(field->defaultText, '"'));
     }
     out += "    </xs:complexType>\n  </xs:element>\n";
   }

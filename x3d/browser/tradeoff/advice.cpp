@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <pleura/x3d/browser/tradeoff/advice.h>
+#include <pleura/x3d/browser/tradeoff/deformation_tier.h>
 
 namespace pleura {
 
@@ -21,6 +22,18 @@ std::string costOf(const TierFigures& f) {
 std::string errorOf(const TierFigures& f) {
   return fmt::format("{:.2g} mm RMS, {:.2g} mm at most, {:+.2g} % of volume", 1e3 * f.error.rms,
                      1e3 * f.error.most, 100 * f.error.volume);
+}
+
+/// How far the reference is from the finest tier of its own kind: what is less can't be told.
+std::string doubtOf(std::span<const TierFigures> figures, const std::string& organ) {
+  const TierFigures* finest = nullptr;
+  for (const auto& f : figures)
+    if (f.organ == organ && f.method == kReferenceModel &&
+        (finest == nullptr || f.elements > finest->elements))
+      finest = &f;
+  if (finest == nullptr || finest->error.rms <= 0) return {};
+  return fmt::format("The reference itself still moves by {:.2g} mm from {} elements to its own. ",
+                     1e3 * finest->error.rms, finest->elements);
 }
 
 }  // namespace
@@ -55,6 +68,7 @@ std::string advice(std::span<const TierFigures> figures) {
     } else {
       text += "No tier comes within 0.5 mm of the reference: what is seen between the walls is a sketch. ";
     }
+    text += doubtOf(figures, organ);
   }
   return text;
 }

@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <pleura/fields/field_types.h>
 #include <pleura/x3d/browser/tradeoff/chart.h>
 #include <pleura/x3d/browser/tradeoff/deformation_tier.h>
+#include <pleura/x3d/encoding/xml_text.h>
 
 namespace pleura {
 
@@ -149,6 +151,13 @@ std::string sceneLine(const std::vector<Point>& points, const std::array<double,
       c[0], c[1], c[2], index, at);
 }
 
+/// An MFString of one, as an attribute.
+std::string listOf(const std::string& text) {
+  MFString list;
+  list.setValue({text});
+  return xmlText(list.getValueAsString());
+}
+
 template <class Draw>
 std::string linesBy(const Drawing& drawing, Draw draw) {
   std::string text;
@@ -171,9 +180,10 @@ std::string chartAsSvg(std::span<const TierFigures> figures) {
       kWidth, drawing.height);
   text += linesBy(drawing, svgLine);
   for (const auto& label : drawing.labels)
-    text += fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='{}' text-anchor='{}' fill='{}'>{}</text>\n",
-                        label.at[0], label.at[1], label.size,
-                        kAnchors[static_cast<std::size_t>(label.anchor)], hex(label.colour), label.text);
+    text +=
+        fmt::format("<text x='{:.1f}' y='{:.1f}' font-size='{}' text-anchor='{}' fill='{}'>{}</text>\n",
+                    label.at[0], label.at[1], label.size, kAnchors[static_cast<std::size_t>(label.anchor)],
+                    hex(label.colour), xmlText(label.text));
   return text + "</svg>\n";
 }
 
@@ -189,10 +199,10 @@ std::string chartAsScene(std::span<const TierFigures> figures) {
   for (const auto& label : drawing.labels)
     text += fmt::format(
         "<Transform translation='{:.2f} {:.2f} 0.01'><Shape><Appearance><Material diffuseColor='0 0 0' "
-        "emissiveColor='{} {} {}'/></Appearance><Text string='\"{}\"'><FontStyle size='{}' family='\"SANS\"' "
+        "emissiveColor='{} {} {}'/></Appearance><Text string='{}'><FontStyle size='{}' family='\"SANS\"' "
         "justify='\"{}\"'/></Text></Shape></Transform>\n",
-        label.at[0] / 100, -label.at[1] / 100, label.colour[0], label.colour[1], label.colour[2], label.text,
-        label.size / 100, kJustify[static_cast<std::size_t>(label.anchor)]);
+        label.at[0] / 100, -label.at[1] / 100, label.colour[0], label.colour[1], label.colour[2],
+        listOf(label.text), label.size / 100, kJustify[static_cast<std::size_t>(label.anchor)]);
   return text + "</Scene></X3D>\n";
 }
 

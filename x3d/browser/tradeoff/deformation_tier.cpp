@@ -17,7 +17,7 @@ std::vector<DeformationTier> deformationTiers(int coarse) {
                                      {"springs", "SpringDeformer", {}, 0}};
   for (const auto& [method, model] :
        {std::pair{"linear FEM", "LINEAR"}, std::pair{"corotational FEM", "COROTATIONAL"},
-        std::pair{"Neo-Hookean FEM", "NEO_HOOKEAN"}})
+        std::pair{kReferenceModel, "NEO_HOOKEAN"}})
     for (const int elements : {coarse, 8 * coarse}) tiers.push_back(finiteElements(method, model, elements));
   return tiers;
 }

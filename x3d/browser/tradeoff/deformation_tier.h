@@ -23,6 +23,8 @@ std::vector<DeformationTier> deformationTiers(int coarse);
 DeformationTier tierOf(const std::string& method, int elements);
 
 inline constexpr auto kReferenceMethod = "reference";
+/// The method whose finest lattice is the reference.
+inline constexpr auto kReferenceModel = "Neo-Hookean FEM";
 
 /// What all are measured against: stable Neo-Hookean, that many elements.
 DeformationTier referenceTier(int elements);

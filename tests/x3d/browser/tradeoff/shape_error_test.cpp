@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <pleura/tests/nodes/deformable/chainmail/icosphere.h>
+#include <pleura/x3d/browser/tradeoff/shape_error.h>
+
+namespace pleura {
+namespace {
+
+using Shapes = std::vector<std::vector<Vec3f>>;
+
+std::vector<Vec3f> moved(std::vector<Vec3f> points, const Vec3f& by) {
+  for (Vec3f& point : points) point += by;
+  return points;
+}
+
+class ShapeErrorTest : public ::testing::Test {
+ protected:
+  const TriangleMesh ball = icosphere(3, 0.05f);
+  const Shapes reference{ball.points, ball.points};
+};
+
+TEST_F(ShapeErrorTest, OfTheReferenceIsNone) {
+  const ShapeError error = shapeError(reference, reference, ball.triangles);
+  EXPECT_EQ(error.rms, 0);
+  EXPECT_EQ(error.most, 0);
+  EXPECT_EQ(error.volume, 0);
+}
+
+TEST_F(ShapeErrorTest, OfWhatIsMovedIsHowFar) {
+  const Shapes shapes(2, moved(ball.points, {0, 0.003f, 0.004f}));
+  const ShapeError error = shapeError(shapes, reference, ball.triangles);
+  EXPECT_NEAR(error.rms, 0.005, 1e-8);
+  EXPECT_NEAR(error.percentile95, 0.005, 1e-8);
+  EXPECT_NEAR(error.most, 0.005, 1e-8);
+  EXPECT_NEAR(error.volume, 0, 1e-6);
+}
+
+TEST_F(ShapeErrorTest, OneMomentAndOnePointOutOfPlaceCountAsTheyAre) {
+  Shapes shapes = reference;
+  shapes[1][7] += Vec3f(0.01f, 0, 0);
+  const ShapeError error = shapeError(shapes, reference, ball.triangles);
+  const double count = 2.0 * static_cast<double>(ball.points.size());
+  EXPECT_NEAR(error.rms, 0.01 / std::sqrt(count), 1e-8);
+  EXPECT_EQ(error.percentile95, 0);
+  EXPECT_NEAR(error.most, 0.01, 1e-8);
+}
+
+TEST_F(ShapeErrorTest, TheLargestExcessOrLackOfVolumeIsTold) {
+  Shapes shapes = reference;
+  for (Vec3f& point : shapes[0]) point *= 1.01f;
+  for (Vec3f& point : shapes[1]) point *= 0.98f;
+  EXPECT_NEAR(shapeError(shapes, reference, ball.triangles).volume, std::pow(0.98, 3) - 1, 1e-5);
+}
+
+/// A sheet that lies 2 mm above the ball at rest: less than a centimetre about the pole only.
+class MeasureContact : public ShapeErrorTest {
+ protected:
+  ShapeError contactWithSheetMoved(float up) {
+    std::vector<Vec3f> sheet;
+    for (int i = -5; i <= 5; ++i)
+      for (int k = -5; k <= 5; ++k)
+        sheet.emplace_back(0.002f * static_cast<float>(i), 0.052f, 0.002f * static_cast<float>(k));
+    ShapeError error;
+    measureContact({ball, sheet}, reference, Shapes{sheet, moved(sheet, {0, up, 0})}, error);
+    return error;
+  }
+};
+
+TEST_F(MeasureContact, WhatStaysHasNeitherGapNorPenetration) {
+  const ShapeError error = contactWithSheetMoved(0);
+  EXPECT_NEAR(error.gap, 0, 1e-7);
+  EXPECT_EQ(error.penetration, 0);
+}
+
+TEST_F(MeasureContact, WhatComesOffHasAGapBeyondThatAtRest) {
+  const ShapeError error = contactWithSheetMoved(0.003f);
+  EXPECT_NEAR(error.gap, 0.003, 1e-4);
+  EXPECT_EQ(error.penetration, 0);
+}
+
+TEST_F(MeasureContact, WhatGoesInPenetratesByWhatIsInside) {
+  const ShapeError error = contactWithSheetMoved(-0.005f);
+  EXPECT_NEAR(error.penetration, 0.003, 1e-4);
+  EXPECT_NEAR(error.gap, 0, 1e-7);
+}
+
+}  // namespace
+}  // namespace pleura
