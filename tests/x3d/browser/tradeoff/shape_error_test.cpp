@@ -45,6 +45,17 @@ TEST_F(ShapeErrorTest, OneMomentAndOnePointOutOfPlaceCountAsTheyAre) {
   EXPECT_NEAR(error.most, 0.01, 1e-8);
 }
 
+TEST_F(ShapeErrorTest, FiveInAHundredMayBeFurtherOff) {
+  const auto percentileWith = [&](double share) {
+    Shapes shapes{ball.points};
+    const auto count = static_cast<std::size_t>(share * static_cast<double>(ball.points.size()));
+    for (std::size_t i = 0; i < count; ++i) shapes[0][i] += Vec3f(0.01f, 0, 0);
+    return shapeError(shapes, reference, ball.triangles).percentile95;
+  };
+  EXPECT_EQ(percentileWith(0.04), 0);
+  EXPECT_NEAR(percentileWith(0.06), 0.01, 1e-8);
+}
+
 TEST_F(ShapeErrorTest, TheLargestExcessOrLackOfVolumeIsTold) {
   Shapes shapes = reference;
   for (Vec3f& point : shapes[0]) point *= 1.01f;
@@ -76,6 +87,13 @@ TEST_F(MeasureContact, WhatComesOffHasAGapBeyondThatAtRest) {
   const ShapeError error = contactWithSheetMoved(0.003f);
   EXPECT_NEAR(error.gap, 0.003, 1e-4);
   EXPECT_EQ(error.penetration, 0);
+}
+
+TEST_F(MeasureContact, TheClosedSurfaceMayBeWhatMoves) {
+  std::vector<Vec3f> sheet{{0, 0.052f, 0}};
+  ShapeError error;
+  measureContact({ball, sheet}, Shapes{moved(ball.points, {0, -0.003f, 0})}, Shapes{sheet}, error);
+  EXPECT_NEAR(error.gap, 0.003, 1e-4);
 }
 
 TEST_F(MeasureContact, WhatGoesInPenetratesByWhatIsInside) {
