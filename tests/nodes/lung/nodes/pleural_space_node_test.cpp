@@ -151,6 +151,7 @@ TEST_F(PleuralSpaceNode, AChangeCountsFromItsMomentThoughNobodyLooks) {
     const auto look = [&] {
       if (isLookedAt) valueOf<SFFloat>(*other, "PLEURA_L.lungVolume");
     };
+    valueOf<SFFloat>(*other, "PLEURA_L.lungVolume");  // from here on it has a past
     other->set("BREATH.paused=true");
     runOn(*other, time, 2, look);
     other->set("PLEURA_L.pneumothorax=OPEN");
