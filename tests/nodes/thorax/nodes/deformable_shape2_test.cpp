@@ -37,10 +37,10 @@ class Particular : public DeformerNode {
 class DeformableShape2Test : public ::testing::Test {
  protected:
   DeformableShape2Test() {
-    const auto points = context.make<Coordinate>([](Coordinate& c) {
+    points = context.make<Coordinate>([](Coordinate& c) {
       c.point.setValue({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     });
-    const auto faces = context.make<IndexedFaceSet>([&](IndexedFaceSet& f) {
+    faces = context.make<IndexedFaceSet>([&](IndexedFaceSet& f) {
       f.coord.setValue(points);
       f.coordIndex.setValue({0, 1, 2, -1});
     });
@@ -60,6 +60,8 @@ class DeformableShape2Test : public ::testing::Test {
 
   TestContext context;
   std::shared_ptr<Particular> deformer = context.make<Particular>();
+  std::shared_ptr<Coordinate> points;
+  std::shared_ptr<IndexedFaceSet> faces;
   std::shared_ptr<DeformableShape2> organ;
 
  private:
@@ -89,6 +91,17 @@ TEST_F(DeformableShape2Test, AnotherShapeAtRestIsGivenToIt) {
   breathe(2);
   EXPECT_EQ(deformer->shapesGiven, 2);
   EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 1.4f, 1e-6f);
+}
+
+TEST_F(DeformableShape2Test, WhatIsHeldFromTheBeginningIsShownThoughNothingChanges) {
+  deformer->modulus.setValue(1);
+  const auto held = context.make<DeformableShape2>([&](DeformableShape2& shape) {
+    shape.geometry.setValue(faces);
+    shape.deformer.setValue(deformer);
+    shape.contactIndex.setValue({0});
+    shape.contactPoint.setValue({{0, 0, 0.5f}});
+  });
+  EXPECT_NEAR(points->point.getValue()[1].z(), 0.5f, 1e-6f);
 }
 
 }  // namespace
