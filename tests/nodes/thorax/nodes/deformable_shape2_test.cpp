@@ -36,18 +36,20 @@ class Particular : public DeformerNode {
 
 class DeformableShape2Test : public ::testing::Test {
  protected:
-  DeformableShape2Test() {
+  /// Held by its first point, at `target` where there is one.
+  std::shared_ptr<DeformableShape2> triangle(std::vector<Vec3f> target) {
     points = context.make<Coordinate>([](Coordinate& c) {
       c.point.setValue({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     });
-    faces = context.make<IndexedFaceSet>([&](IndexedFaceSet& f) {
+    const auto faces = context.make<IndexedFaceSet>([&](IndexedFaceSet& f) {
       f.coord.setValue(points);
       f.coordIndex.setValue({0, 1, 2, -1});
     });
-    organ = context.make<DeformableShape2>([&](DeformableShape2& shape) {
+    return context.make<DeformableShape2>([&](DeformableShape2& shape) {
       shape.geometry.setValue(faces);
       shape.deformer.setValue(deformer);
       shape.contactIndex.setValue({0});
+      shape.contactPoint.setValue(std::move(target));
     });
   }
 
@@ -61,8 +63,7 @@ class DeformableShape2Test : public ::testing::Test {
   TestContext context;
   std::shared_ptr<Particular> deformer = context.make<Particular>();
   std::shared_ptr<Coordinate> points;
-  std::shared_ptr<IndexedFaceSet> faces;
-  std::shared_ptr<DeformableShape2> organ;
+  std::shared_ptr<DeformableShape2> organ = triangle({});
 
  private:
   int moves_ = 0;
@@ -95,12 +96,7 @@ TEST_F(DeformableShape2Test, AnotherShapeAtRestIsGivenToIt) {
 
 TEST_F(DeformableShape2Test, WhatIsHeldFromTheBeginningIsShownThoughNothingChanges) {
   deformer->modulus.setValue(1);
-  const auto held = context.make<DeformableShape2>([&](DeformableShape2& shape) {
-    shape.geometry.setValue(faces);
-    shape.deformer.setValue(deformer);
-    shape.contactIndex.setValue({0});
-    shape.contactPoint.setValue({{0, 0, 0.5f}});
-  });
+  const auto held = triangle({{0, 0, 0.5f}});
   EXPECT_NEAR(points->point.getValue()[1].z(), 0.5f, 1e-6f);
 }
 
