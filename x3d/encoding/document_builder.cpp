@@ -4,6 +4,7 @@
 
 #include <pleura/fields/errors.h>
 #include <pleura/fields/nearest_name.h>
+#include <pleura/nodes/standard/core/x3d_bindable_node.h>
 #include <pleura/nodes/standard/networking/inline.h>
 #include <pleura/x3d/encoding/document_builder.h>
 
@@ -166,8 +167,16 @@ void DocumentBuilder::closeNode(const Open& closed) {
     extents_.try_emplace(closed.node.get());
     if (dynamic_cast<Inline*>(closed.node.get()) != nullptr) loadInline(closed);
     closed.node->initialize(reader_.context_);
+    bindFirst(*closed.node);
   }
   place(closed);
+}
+
+/// What the file itself has of a kind comes before what its Inlines have bound (X3D 7.2.2).
+void DocumentBuilder::bindFirst(Node& node) {
+  auto* bindable = dynamic_cast<X3DBindableNode*>(&node);
+  if (bindable == nullptr || reader_.inlines_ > 0) return;
+  if (kindsBound_.emplace(bindable->kind()).second) bindable->set_bind.setValue(true);
 }
 
 void DocumentBuilder::place(const Open& child) {

@@ -64,6 +64,7 @@ class DocumentBuilder : public ElementHandler {
   void define(const std::string& def, const NodePtr& node, std::size_t tag);
 
   void closeNode(const Open& closed);
+  void bindFirst(Node& node);
   void place(const Open& child);
   void grow(const NodePtr& parent, const Open& child);
   void loadInline(const Open& opened);
@@ -94,7 +95,8 @@ class DocumentBuilder : public ElementHandler {
   std::unordered_map<const Node*, Extent> extents_;
   std::unordered_map<const Node*, Names> inlined_;  // what each Inline's file exports
   std::map<std::string, double, std::less<>> unitFactors_;
-  std::set<std::string, std::less<>> told_;  // what is warned of once a file
+  std::set<std::string, std::less<>> told_;        // what is warned of once a file
+  std::set<std::string, std::less<>> kindsBound_;  // of bindable nodes, the first of each
 };
 
 }  // namespace pleura

@@ -131,7 +131,9 @@ void DocumentBuilder::loadInline(const Open& opened) {
     if (reader_.reading_.size() >= static_cast<std::size_t>(reader_.limits_.inlineDepth))
       return error(
           at, fmt::format("{}.url: {} files inline one another", node.describe(), reader_.reading_.size()));
+    ++reader_.inlines_;
     Document inner = reader_.readFile(*path);
+    --reader_.inlines_;
     node.contents.setValue(inner.nodes);
     Names& exported = inlined_[opened.node.get()];
     for (const auto& [def, as] : inner.exports)

@@ -50,6 +50,7 @@ class Reader {
   ReaderLimits limits_;
   std::filesystem::path root_;                  // nothing outside is read
   std::vector<std::filesystem::path> reading_;  // the files on the way to the present one
+  int inlines_ = 0;                             // around what is read now
 };
 
 }  // namespace pleura

@@ -7,7 +7,7 @@
 namespace pleura {
 
 /// A node of which one of its kind is in use: the one on top of its stack in the SceneContext (X3D 7.2.2).
-/// The first of a kind that a scene has is bound when it is initialized.
+/// The first of a kind that a file has is bound when it is read; what Inlines have counts where it has none.
 class X3DBindableNode : public X3DChildNode, public Bindable {
  public:
   SFBool set_bind;
@@ -18,11 +18,11 @@ class X3DBindableNode : public X3DChildNode, public Bindable {
   static void declare(NodeType& type);
 
   void onBound(bool bound) override;
+  /// What BindableStack it belongs on.
+  virtual std::string_view kind() const = 0;
 
  protected:
   void onInitialize() override;
-  /// What BindableStack it belongs on.
-  virtual std::string_view kind() const = 0;
 
  private:
   BindableStack* stack_ = nullptr;

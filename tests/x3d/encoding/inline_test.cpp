@@ -1,6 +1,9 @@
+#include <memory>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <pleura/nodes/standard/navigation/x3d_viewpoint_node.h>
 #include <pleura/tests/x3d/encoding/read_scene.h>
 #include <pleura/tests/x3d/temporary_folder.h>
 
@@ -145,6 +148,33 @@ TEST_F(Inlines, FaultsInsideHaveTheInnerFilesPlace) {
   ASSERT_EQ(scene.diagnostics.errors(), 1u);
   EXPECT_THAT(scene.said()[0], HasSubstr("bad.x3d:2:17: error: Sphere.radius"));
 }
+
+/// A part with a viewpoint of its own.
+class InlinedViewpoints : public Inlines {
+ protected:
+  std::string bound(const std::string& elements) {
+    scene_ = std::make_unique<ReadScene>(folder_.write("scene/s.x3d", "<Scene>" + elements + "</Scene>"));
+    EXPECT_THAT(scene_->said(), IsEmpty());
+    auto* top = dynamic_cast<X3DViewpointNode*>(scene_->context.bindables("Viewpoint").top());
+    return top != nullptr ? top->description.getValue() : "none";
+  }
+
+  const std::string inline_ = "<Inline url='\"view.x3d\"'/>";
+  const std::string own_ = "<Viewpoint description='first'/><Viewpoint description='second'/>";
+
+ private:
+  std::filesystem::path view_ =
+      folder_.write("scene/view.x3d", "<Scene><Viewpoint description='of the part'/></Scene>");
+  std::unique_ptr<ReadScene> scene_;
+};
+
+TEST_F(InlinedViewpoints, TheFilesOwnFirstIsBoundWhereverTheInlineStands) {
+  EXPECT_EQ(bound(inline_ + own_), "first");
+  EXPECT_EQ(bound(own_ + inline_), "first");
+  EXPECT_EQ(bound("<Group>" + inline_ + own_ + "</Group>"), "first");
+}
+
+TEST_F(InlinedViewpoints, AreBoundWhereTheFileHasNone) { EXPECT_EQ(bound(inline_), "of the part"); }
 
 }  // namespace
 }  // namespace pleura
