@@ -25,7 +25,9 @@ class HalfSpaceProjection {
   bool add(int label, const Eigen::Vector3d& normal, double offset);
 
   const Eigen::Vector3d& point() const { return point_; }
-  std::span<const Active> active() const { return {active_.data(), static_cast<std::size_t>(count_)}; }
+  /// Lives as long as the projection does.
+  std::span<const Active> active() const& { return {active_.data(), static_cast<std::size_t>(count_)}; }
+  void active() const&& = delete;
 
  private:
   /// normal = sum along[j] * active normal j + the returned vector, which is orthogonal to all of them.
