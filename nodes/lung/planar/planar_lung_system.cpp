@@ -54,7 +54,7 @@ PlanarLungSystem::Side::Side(const planar::SideParameters& lung, const PlanarLun
   tangent.setZero(n, n);
   toChest.setZero(n, 2);
   solved.setZero(n, 2);
-  factor = Eigen::LLT<Eigen::MatrixXd>(n);
+  factor.compute(Eigen::MatrixXd::Identity(n, n));  // has its memory, and a state that may be copied
 }
 
 PlanarLungSystem::PlanarLungSystem(const PlanarLungParameters& parameters)
