@@ -1,4 +1,6 @@
+#include <numeric>
 #include <random>
+#include <stdexcept>
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
@@ -117,6 +119,15 @@ TEST(BlockCholesky, ToldOfNoUnknownsAndOfASingularMatrix) {
   EXPECT_FALSE(factor.factorise(line, values));
   addBlock(values, line.slot(0, 0), 1e-6 * k);
   EXPECT_TRUE(factor.factorise(line, values));
+}
+
+TEST(BlockCholesky, RefusesAFactorThatWouldBeTooLarge) {
+  const System system = randomSystem(200, 5);
+  std::vector<int> all(200);
+  std::iota(all.begin(), all.end(), 0);
+  const std::size_t size = BlockCholesky(system.pattern, all).factorSize();
+  EXPECT_NO_THROW(BlockCholesky(system.pattern, all, size));
+  EXPECT_THROW(BlockCholesky(system.pattern, all, size / 2), std::invalid_argument);
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ TEST(Element, BadMeshesAndMaterialsAreRefused) {
   };
   refuses([](SolidMesh& mesh) { mesh = {}; });
   refuses([](SolidMesh& mesh) { mesh.elements.pop_back(); });
+  refuses([](SolidMesh& mesh) { mesh.elements.assign(4 * (kMostElements + 1), 8); });
   refuses([](SolidMesh& mesh) { mesh.elements[3] = 8; });
   refuses([](SolidMesh& mesh) { mesh.elements[3] = -1; });
   refuses([](SolidMesh& mesh) { mesh.nodesPerElement = 5; });

@@ -145,6 +145,17 @@ TEST(Lattice, CountsTheOverlapOfCrossingSpheresOnce) {
   EXPECT_THAT(findings(report), testing::Contains(HasSubstr("cross itself, in 18")));
 }
 
+TEST(Lattice, FillsManyPartsInEachOtherAsOne) {
+  constexpr int shells = 3000;
+  TriangleMesh nested;
+  for (int i = 1; i <= shells; ++i)
+    nested = bodies::together(std::move(nested), bodies::placed(shapes::cube(), Vector3d::Constant(-0.5 * i),
+                                                                i * Matrix3d::Identity()));
+  const LatticeReport report = makeLattice(nested, {.cellSize = 2.0 * shells}).report;
+  EXPECT_EQ(report.bodies, 1);
+  EXPECT_LT(relative(report.insideVolume, std::pow(shells, 3)), 1e-9);
+}
+
 TEST(Lattice, LeavesACavityEmpty) {
   const TriangleMesh sphere = shapes::sphere(96);
   const TriangleMesh hole =

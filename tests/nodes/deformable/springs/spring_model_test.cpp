@@ -54,6 +54,16 @@ TEST(SpringModel, RefusesMaterialOutOfRangeAndNamesIt) {
 TEST(SpringModel, RefusesMeshesThatAreNone) {
   TriangleMesh mesh = geodesicSphere(1, 1);
   expectRefused([&] { ElasticSurface(TriangleMesh{mesh.points, {}}); }, "no triangles");
+  expectRefused(
+      [&] {
+        ElasticSurface({{kMostSpringPoints + 1, mesh.points[0]}, mesh.triangles});
+      },
+      "1000001 points, at most 1000000");
+  expectRefused(
+      [&] {
+        ElasticSurface({mesh.points, {kMostSpringTriangles + 1, mesh.triangles[0]}});
+      },
+      "4000001 triangles, at most 4000000");
   mesh.triangles[3][1] = 12;
   expectRefused([&] { ElasticSurface{mesh}; }, "uses point 12");
   mesh.triangles[3][1] = -1;
