@@ -1,14 +1,21 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <thread>
+#include <utility>
 
 #include <benchmark/benchmark.h>
 
 #include <pleura/nodes/deformable/fem/corotational_solid.h>
+#include <pleura/nodes/deformable/fem/embedding.h>
+#include <pleura/nodes/deformable/fem/lattice.h>
 #include <pleura/nodes/deformable/fem/linear_solid.h>
 #include <pleura/nodes/deformable/fem/neo_hookean_solid.h>
 #include <pleura/tests/nodes/deformable/fem/solid_bodies.h>
+#include <pleura/tests/nodes/deformable/springs/geodesic_sphere.h>
 
 // The unit cube of n^3 cells of five tetrahedra under its own weight, its face x = 0 driven to and fro: a
-// step of 16.7 ms, and what is done before the first.
+// step of 16.7 ms, and what is done before the first. Then a frame of two lungs.
 
 namespace pleura {
 namespace {
@@ -96,6 +103,130 @@ void neoHookeanStep(benchmark::State& state) {
   steps(state, solid, body);
 }
 BENCHMARK(neoHookeanStep)->ArgName("cells")->Arg(10)->Arg(16)->Unit(benchmark::kMillisecond);
+
+/// A lung of the thorax: 24 cm high, narrow at its top, hollow below; half of its surface's points driven.
+struct Lung {
+  Lattice lattice;
+  SolidConstraints held;
+  NodeVectors rest;  // of the driven points [m]
+
+  /// Of about so many elements, hexahedra or tetrahedra, at this place.
+  Lung(int elements, int nodesPerElement, double size, double at) {
+    TriangleMesh mesh = geodesicSphere(16, 1);
+    for (Eigen::Vector3f& p : mesh.points) {
+      const Eigen::Vector3d x = p.cast<double>();
+      const double narrow = 1 - 0.35 * x.y(), hollow = 0.5 * std::exp(-2 * (x.x() * x.x() + x.z() * x.z()));
+      p = (size * Eigen::Vector3d(0.06 * narrow * x.x(), 0.12 * (x.y() < 0 ? x.y() + hollow : x.y()),
+                                  0.08 * narrow * x.z()) +
+           Eigen::Vector3d(at, 0, 0))
+              .cast<float>();
+    }
+    lattice = makeLattice(mesh, {.elements = nodesPerElement == 8 ? elements : elements / 5});
+    const Embedding points = embed(lattice, mesh.points);
+    held.soft.stiffness = 100 * tissue().youngsModulus * lattice.report.cellSize;
+    for (std::size_t i = 0; i < mesh.points.size(); i += 2) {
+      rest.push_back(mesh.points[i].cast<double>());
+      for (std::size_t k = 8 * i; k < 8 * (i + 1); ++k) {
+        held.soft.node.push_back(points.nodes[k]);
+        held.soft.weight.push_back(points.weights[k]);
+      }
+      held.soft.begin.push_back(static_cast<int>(held.soft.node.size()));
+    }
+    if (nodesPerElement == 4) splitCells();
+  }
+
+  static SolidMaterial tissue() {
+    return {.density = 250, .youngsModulus = 2000, .poissonRatio = 0.3, .stiffnessDamping = 0.05};
+  }
+
+  /// Breathes in and out in 4 s: the base goes down by 1.5 cm, the sides out by a twentieth.
+  void breathe(double time, NodeVectors& targets) const {
+    const double depth = 0.5 - 0.5 * std::cos(2 * M_PI * time / 4);
+    targets.clear();
+    for (const Eigen::Vector3d& p : rest)
+      targets.emplace_back(p.x() * (1 + 0.05 * depth), p.y() - 0.015 * depth * (0.12 - p.y()) / 0.24,
+                           p.z() * (1 + 0.05 * depth));
+  }
+
+ private:
+  void splitCells() {
+    SolidMesh split{lattice.solid.nodes, {}, 4, {}};
+    for (int cell = 0; cell < lattice.grid.cellCount(); ++cell) {
+      const int element = lattice.elementOf[static_cast<std::size_t>(cell)];
+      if (element < 0) continue;
+      std::array<int, 8> corner;
+      std::copy_n(lattice.solid.elements.begin() + 8 * element, 8, corner.begin());
+      addTetrahedra(corner, lattice.grid.cellOf(cell).sum() % 2, split.elements);
+      split.fill.insert(split.fill.end(), 5, lattice.solid.fill[static_cast<std::size_t>(element)]);
+    }
+    lattice.solid = std::move(split);
+  }
+};
+
+template <class Solid>
+struct BreathingLung {
+  Lung lung;
+  Solid solid;
+  NodeVectors targets;
+
+  template <class... Options>
+  explicit BreathingLung(Lung made, const Options&... options)
+      : lung(std::move(made)), solid(lung.lattice.solid, Lung::tissue(), lung.held, options...) {
+    step(0);
+  }
+
+  SolidReport step(double time) {
+    lung.breathe(time, targets);
+    return solid.step(kLungStep, {.targets = targets});
+  }
+
+  static constexpr double kLungStep = 0.016;  // [s]
+};
+
+/// A frame of both, the right one of 11,000 elements and the left of 9,000, in one thread or two.
+template <class Solid, class... Options>
+void bothLungs(benchmark::State& state, const Options&... options) {
+  const int kind = static_cast<int>(state.range(0));
+  const bool inTwoThreads = state.range(1) == 2;
+  BreathingLung<Solid> right(Lung(11000, kind, 1, -0.08), options...);
+  BreathingLung<Solid> left(Lung(9000, kind, 0.93, 0.08), options...);
+  double time = 0, residual = 0;
+  for (auto _ : state) {
+    time += right.kLungStep;
+    SolidReport onTheRight;
+    const auto stepRight = [&] { onTheRight = right.step(time); };
+    std::thread beside;
+    if (inTwoThreads)
+      beside = std::thread(stepRight);
+    else
+      stepRight();
+    const SolidReport onTheLeft = left.step(time);
+    if (inTwoThreads) beside.join();
+    residual = std::max({residual, onTheRight.residual, onTheLeft.residual});
+  }
+  state.counters["elements"] = right.solid.body().elements.count() + left.solid.body().elements.count();
+  state.counters["nodes"] =
+      static_cast<double>(right.solid.body().rest.size() + left.solid.body().rest.size());
+  state.counters["worst_residual"] = residual;
+}
+
+void linearLungs(benchmark::State& state) { bothLungs<LinearSolid>(state); }
+BENCHMARK(linearLungs)
+    ->ArgNames({"nodes", "threads"})
+    ->ArgsProduct({{4, 8}, {1, 2}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+void corotationalLungs(benchmark::State& state) {
+  CorotationalOptions options;
+  options.iterations = 1;
+  bothLungs<CorotationalSolid>(state, options);
+}
+BENCHMARK(corotationalLungs)
+    ->ArgNames({"nodes", "threads"})
+    ->ArgsProduct({{4, 8}, {1, 2}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace pleura

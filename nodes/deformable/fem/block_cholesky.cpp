@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -22,10 +24,12 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The rows of L below the diagonal, by columns; a column's parent is the first of them. `adjacent` holds the
 // neighbours of each position.
-std::vector<std::vector<int>> symbolicFactor(const std::vector<std::vector<int>>& adjacent) {
+std::vector<std::vector<int>> symbolicFactor(const std::vector<std::vector<int>>& adjacent,
+                                             std::size_t mostNumbers) {
   const int n = static_cast<int>(adjacent.size());
   std::vector<std::vector<int>> below(adjacent.size()), children(adjacent.size());
   std::vector<int> mark(adjacent.size(), -1);
+  std::size_t numbers = 0;
   for (int j = 0; j < n; ++j) {
     auto& rows = below[j];
     const auto add = [&](int i) {
@@ -37,6 +41,11 @@ std::vector<std::vector<int>> symbolicFactor(const std::vector<std::vector<int>>
     for (const int i : adjacent[j]) add(i);
     for (const int child : children[j])
       for (const int i : below[child]) add(i);
+    numbers += 9 * (rows.size() + 1);
+    if (numbers > mostNumbers)
+      throw std::invalid_argument("solid: " + std::to_string(n) +
+                                  " free nodes are too many: their factor has over " +
+                                  std::to_string(mostNumbers) + " numbers");
     std::sort(rows.begin(), rows.end());
     if (!rows.empty()) children[rows.front()].push_back(j);
   }
@@ -138,7 +147,8 @@ std::vector<int> supernodesOf(const std::vector<std::vector<int>>& below) {
 
 }  // namespace
 
-BlockCholesky::BlockCholesky(const BlockPattern& pattern, std::span<const int> unknowns)
+BlockCholesky::BlockCholesky(const BlockPattern& pattern, std::span<const int> unknowns,
+                             std::size_t mostNumbers)
     : node_(unknowns.begin(), unknowns.end()) {
   std::vector<int> positionOf(pattern.rowCount(), -1);
   const auto adjacent = [&] {
@@ -152,7 +162,7 @@ BlockCholesky::BlockCholesky(const BlockPattern& pattern, std::span<const int> u
   };
   reorder(minimumDegree(adjacent()));
   reorder(postorder(eliminationTree(adjacent())));
-  const auto below = symbolicFactor(adjacent());
+  const auto below = symbolicFactor(adjacent(), mostNumbers);
   layOut(below, supernodesOf(below));
   placeEntries(pattern, positionOf);
 }

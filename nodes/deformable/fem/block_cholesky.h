@@ -10,6 +10,9 @@
 
 namespace pleura {
 
+/// 4 GiB of doubles: about those of a lattice of 40,000 cells.
+inline constexpr std::size_t kMostFactorNumbers = std::size_t{1} << 29;
+
 /// A = L L^T of a sparse symmetric matrix of 3 x 3 blocks, for one pattern and many values. Columns of L with
 /// the same rows below them are kept as one dense panel (a supernode: Ng and Peyton 1993), so that a solve
 /// streams through memory twice and does little else. Analysed at construction; solve() allocates nothing.
@@ -17,8 +20,10 @@ class BlockCholesky {
  public:
   BlockCholesky() = default;
   /// Of the rows and columns of the nodes in `unknowns`, in an order that keeps the fill low (approximate
-  /// minimum degree of the graph of nodes: Amestoy, Davis and Duff 1996).
-  BlockCholesky(const BlockPattern& pattern, std::span<const int> unknowns);
+  /// minimum degree of the graph of nodes: Amestoy, Davis and Duff 1996). Throws std::invalid_argument when L
+  /// would have more than `mostNumbers`, before it takes memory for them.
+  BlockCholesky(const BlockPattern& pattern, std::span<const int> unknowns,
+                std::size_t mostNumbers = kMostFactorNumbers);
 
   /// Factorises. False when a pivot is below 1e-14 of its diagonal: the matrix is singular, or not positive,
   /// and there is nothing to solve with.

@@ -72,6 +72,9 @@ bool numberParts(ClosedSurface& surface) {
 
 ClosedSurface closeSurface(std::span<const Vector3f> points, std::span<const Vector3i> triangles) {
   if (triangles.empty()) throw std::invalid_argument("triangles: there are none");
+  if (triangles.size() > kMostSurfaceTriangles)
+    throw std::invalid_argument("triangles: there are " + std::to_string(triangles.size()) + ", at most " +
+                                std::to_string(kMostSurfaceTriangles) + " are taken");
   requireFinite(points);
   requireIndicesInRange(points.size(), triangles);
   ClosedSurface surface;

@@ -26,11 +26,15 @@ struct ClosedSurface {
   int turnedParts = 0;        // besides, as a whole
 };
 
+/// More than a body's surface needs, and what is repaired in seconds.
+inline constexpr std::size_t kMostSurfaceTriangles = 4'000'000;
+
 /// Repairs and closes a surface: each hole gets a fan around the mean of its edge's points. Over a plane hole
 /// that is where the winding number of the open surface is one half (Jacobson et al. 2013), and it costs
 /// nothing for each place asked about. Parts face outwards but for cavities. Throws std::invalid_argument on
-/// no triangles, points that aren't finite, indices out of range, and where over a quarter of the edges is
-/// open.
+/// no triangles or over kMostSurfaceTriangles, points that aren't finite, indices out of range, where over a
+/// quarter of the edges is open, and as faceOutwards does. Memory: about 400 bytes a triangle of its own
+/// points.
 ClosedSurface closeSurface(std::span<const Eigen::Vector3f> points,
                            std::span<const Eigen::Vector3i> triangles);
 

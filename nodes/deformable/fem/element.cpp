@@ -22,6 +22,9 @@ void check(const SolidMesh& mesh) {
   if (mesh.nodesPerElement != 4 && mesh.nodesPerElement != 8) refuseSolid("an element has 4 or 8 nodes");
   if (mesh.elements.empty() || mesh.elements.size() % static_cast<std::size_t>(mesh.nodesPerElement) != 0)
     refuseSolid("the mesh is empty, or its last element is not whole");
+  if (mesh.elements.size() / static_cast<std::size_t>(mesh.nodesPerElement) > kMostElements)
+    refuseSolid(std::to_string(mesh.elements.size() / static_cast<std::size_t>(mesh.nodesPerElement)) +
+                " elements, at most " + std::to_string(kMostElements) + " are taken");
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     for (const double x : mesh.nodes[i])
       if (!std::isfinite(x) || std::abs(x) > kFarthest)

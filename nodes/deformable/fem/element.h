@@ -13,6 +13,7 @@ namespace pleura {
 [[noreturn]] void refuseSolid(const std::string& what);
 
 inline constexpr int kMostElementNodes = 8, kMostElementPoints = 8;
+inline constexpr int kMostElements = 1'000'000;
 
 /// The elements of a body at rest, isoparametric, as flat arrays: linear tetrahedra with one quadrature
 /// point, trilinear hexahedra with 2 x 2 x 2. Dilatation is to be taken from the mean gradient (B-bar, Hughes
@@ -33,10 +34,10 @@ struct SolidElements {
   const Eigen::Vector3d* gradientsAt(int point) const { return &gradient[point * nodesPerElement]; }
 };
 
-/// Throws std::invalid_argument on a mesh that is empty or whose elements are all degenerate, indices out of
-/// range, other than 4 or 8 nodes an element, a node that is not finite or farther than 1e6 m, or a fill
-/// outside (0, 1]. An element is degenerate when its volume, at any quadrature point, is below 1e-9 of the
-/// cube of its longest edge or diagonal.
+/// Throws std::invalid_argument on a mesh that is empty, has over kMostElements or none that is not
+/// degenerate, indices out of range, other than 4 or 8 nodes an element, a node that is not finite or farther
+/// than 1e6 m, or a fill outside (0, 1]. An element is degenerate when its volume, at any quadrature point,
+/// is below 1e-9 of the cube of its longest edge or diagonal.
 SolidElements makeSolidElements(const SolidMesh& mesh);
 
 /// Lame's constants [Pa].

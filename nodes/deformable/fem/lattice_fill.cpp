@@ -89,39 +89,57 @@ class LineField {
   int density_;
 };
 
-/// How often each part winds around a place on a line; few do at all.
+/// How often each part winds around a place that goes along a line. All in constant time in the mean, however
+/// many parts lie on top of each other.
 class PartWindings {
  public:
-  int of(int part) const {
-    const auto entry = find(part);
-    return entry == entries_.end() ? 0 : entry->second;
-  }
+  explicit PartWindings(int parts) : parts_(static_cast<std::size_t>(parts)) {}
+
+  int of(int part) const { return parts_[part].winding; }
+  int total() const { return total_; }
 
   void add(int part, int change) {
+    Part& changed = parts_[part];
+    if (changed.winding == 0) {
+      changed.entry = static_cast<int>(entries_.size());
+      entries_.push_back(part);
+      ++present_;
+    }
     total_ += change;
-    const auto entry = entries_.begin() + (find(part) - entries_.begin());
-    if (entry == entries_.end())
-      entries_.emplace_back(part, change);
-    else if ((entry->second += change) == 0)
-      entries_.erase(entry);
+    changed.winding += change;
+    if (changed.winding == 0 && --present_ == 0) {
+      entries_.clear();
+      oldest_ = settled_ = 0;
+    }
   }
 
-  int total() const { return total_; }
-  int anyPart() const { return entries_.front().first; }
-
-  template <class Visit>
-  void forEachPart(Visit visit) const {
-    for (const auto& [part, winding] : entries_) visit(part);
+  /// Calls unite(oldest, part) for the parts here that came since this was called last, and returns the
+  /// oldest. There must be one.
+  template <class Unite>
+  int settle(Unite unite) {
+    while (!isPresent(oldest_)) ++oldest_;
+    const int oldest = entries_[oldest_];
+    for (; settled_ < entries_.size(); ++settled_)
+      if (isPresent(settled_)) unite(oldest, entries_[settled_]);
+    return oldest;
   }
 
  private:
-  using Entries = std::vector<std::pair<int, int>>;
-  Entries::const_iterator find(int part) const {
-    return std::ranges::find(entries_, part, &std::pair<int, int>::first);
+  struct Part {
+    int winding = 0;
+    int entry = 0;  // the last of its
+  };
+
+  /// Whether the part is still here and has not left and come again.
+  bool isPresent(std::size_t entry) const {
+    const Part& part = parts_[entries_[entry]];
+    return part.winding != 0 && part.entry == static_cast<int>(entry);
   }
 
-  Entries entries_;
-  int total_ = 0;
+  std::vector<Part> parts_;
+  std::vector<int> entries_;  // parts as they came, since there was none
+  std::size_t oldest_ = 0, settled_ = 0;
+  int present_ = 0, total_ = 0;
 };
 
 class Filler {
@@ -218,7 +236,7 @@ class Filler {
   void fillAlong(const LineField& lines, int density) {
     const double share = 1.0 / (3 * density * density);
     const std::vector<Crossing> found = crossings(lines);
-    PartWindings windings;
+    PartWindings windings(surface_.partCount);
     for (std::size_t i = 0; i + 1 < found.size(); ++i) {
       const Crossing& from = found[i];
       const Crossing& to = found[i + 1];
@@ -227,8 +245,7 @@ class Filler {
       const int winding = windings.total();
       const double length = to.at - from.at;
       if (winding == 0 || length < longEnough) continue;  // so short a stretch may be two touching faces
-      const int owner = windings.anyPart();
-      windings.forEachPart([this, owner](int part) { oneOf_.unite(owner, part); });
+      const int owner = windings.settle([this](int first, int part) { oneOf_.unite(first, part); });
       if (leavesCavity) oneOf_.unite(owner, from.part);
       if (windings.of(to.part) + to.change < 0) oneOf_.unite(owner, to.part);
       if (winding != 1 && length > crossedEnough) result_.crossedVolume += share * length;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include <pleura/nodes/deformable/mesh/components.h>
@@ -50,13 +51,18 @@ void spread(int seed, const std::vector<std::array<Across, 3>>& across, std::vec
   }
 }
 
-/// Whether a ray from each of the part's triangles crosses the other parts an odd number of times.
-bool isEnclosed(const Component& part, const std::vector<int>& partOf, const SurfaceQuery& surface) {
+/// Whether a ray from each of the part's triangles crosses the other parts an odd number of times. Takes the
+/// crossings from those that are left.
+bool isEnclosed(const Component& part, const std::vector<int>& partOf, const SurfaceQuery& surface,
+                std::size_t& crossingsLeft) {
   const Eigen::Vector3d direction(0.8017, 0.2673, 0.5345);  // along no edge of a grid
   const int self = partOf[part.triangles.front()];
   return std::ranges::all_of(part.triangles, [&](int t) {
     const Eigen::Vector3d from = surface.points()[surface.triangles()[t][0]].cast<double>();
     const std::vector<SurfacePoint> hits = surface.rayHits(from, direction);
+    if (hits.size() > crossingsLeft)
+      throw std::invalid_argument("triangles: too many parts lie in each other to tell which are cavities");
+    crossingsLeft -= hits.size();
     const auto others = [&](const SurfacePoint& hit) { return partOf[hit.triangle] != self; };
     return std::ranges::count_if(hits, others) % 2 == 1;
   });
@@ -83,7 +89,8 @@ int orientConsistently(std::span<Vector3i> triangles) {
   return count;
 }
 
-int faceOutwards(std::span<const Eigen::Vector3f> points, std::span<Vector3i> triangles) {
+int faceOutwards(std::span<const Eigen::Vector3f> points, std::span<Vector3i> triangles,
+                 std::size_t mostCrossings) {
   const std::vector<Component> parts = components(triangles);
   std::vector<int> partOf(triangles.size());
   std::vector<int> insideOut;
@@ -94,7 +101,7 @@ int faceOutwards(std::span<const Eigen::Vector3f> points, std::span<Vector3i> tr
   }
   if (insideOut.empty()) return 0;
   const SurfaceQuery surface(points, triangles);
-  const auto isCavity = [&](int i) { return isEnclosed(parts[i], partOf, surface); };
+  const auto isCavity = [&](int i) { return isEnclosed(parts[i], partOf, surface, mostCrossings); };
   std::erase_if(insideOut, isCavity);
   for (const int i : insideOut)
     for (const int t : parts[i].triangles) turn(triangles[t]);

@@ -27,7 +27,7 @@ struct RepairReport {
 /// Makes a surface fit to work with, whatever it was: afterwards all is finite and in range, no triangle
 /// repeats a point or another triangle, each edge has at most two triangles and (with `orient`) these face
 /// the same way. Flat triangles stay, since a surface without them has slits. n log n. Throws
-/// std::invalid_argument on bad options.
+/// std::invalid_argument on bad options and as faceOutwards does.
 RepairReport repair(TriangleMesh& mesh, const RepairOptions& options = {});
 
 /// A line for each thing done, such as "filled 1 hole".

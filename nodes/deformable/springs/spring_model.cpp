@@ -15,6 +15,11 @@ namespace {
 
 bool isIn(double x, double low, double high) { return std::isfinite(x) && x >= low && x <= high; }
 
+void requireFew(std::size_t count, std::size_t most, const char* what) {
+  if (count > most)
+    refuse(std::to_string(count) + " " + what + ", at most " + std::to_string(most) + " are taken");
+}
+
 void requireInRange(std::span<const Eigen::Vector3f> rest) {
   for (std::size_t i = 0; i < rest.size(); ++i)
     for (const float x : rest[i])
@@ -95,6 +100,8 @@ void measure(SpringModel& model) {
 SpringModel makeSpringModel(std::span<const Eigen::Vector3f> rest, std::span<const Eigen::Vector3i> triangles,
                             const SpringMaterial& material, const SpringInterior& interior) {
   if (triangles.empty()) refuse("no triangles");
+  requireFew(rest.size(), kMostSpringPoints, "points");
+  requireFew(triangles.size(), kMostSpringTriangles, "triangles");
   requireInRange(rest);
   const std::vector<Eigen::Vector2i> pairs = edges(rest.size(), triangles);
   SpringModel model;

@@ -36,11 +36,15 @@ struct SpringModel {
   int pointCount() const { return static_cast<int>(rest.size()); }
 };
 
+/// A point and its springs take about 650 bytes, and a solve minutes at these numbers.
+inline constexpr std::size_t kMostSpringPoints = 1'000'000, kMostSpringTriangles = 4'000'000;
+
 /// Springs along the edges of a surface, as long as meshed, around an interior. Points without triangles,
-/// triangles without area and repeated ones are allowed. Throws std::invalid_argument on no triangles, an
-/// index out of range, a point not finite or beyond kSpringFarthest, numbers of stiffnesses or masses that
-/// don't fit, values out of the ranges above; and, unless the interior is empty, on a surface that is open,
-/// not consistently oriented, or has no positive volume.
+/// triangles without area and repeated ones are allowed. Throws std::invalid_argument on no triangles, over
+/// kMostSpringPoints or kMostSpringTriangles, an index out of range, a point not finite or beyond
+/// kSpringFarthest, numbers of stiffnesses or masses that don't fit, values out of the ranges above; and,
+/// unless the interior is empty, on a surface that is open, not consistently oriented, or has no positive
+/// volume.
 SpringModel makeSpringModel(std::span<const Eigen::Vector3f> rest, std::span<const Eigen::Vector3i> triangles,
                             const SpringMaterial& material, const SpringInterior& interior);
 

@@ -56,6 +56,16 @@ TEST(Element, DegenerateOnesAreLeftOutAndCounted) {
   }
 }
 
+TEST(Element, FlatOnesStayToABillionth) {
+  for (const int kind : {4, 8}) {
+    SolidMesh mesh = cube(2, kind);
+    for (auto& x : mesh.nodes) x.z() *= 1e-7;
+    EXPECT_EQ(makeSolidElements(mesh).degenerateCount, 0);
+    for (auto& x : mesh.nodes) x.z() *= 1e-3;
+    EXPECT_THROW(makeSolidElements(mesh), std::invalid_argument);
+  }
+}
+
 TEST(Element, BadMeshesAndMaterialsAreRefused) {
   const auto refuses = [](auto change) {
     SolidMesh mesh = cube(1, 4);
@@ -64,6 +74,7 @@ TEST(Element, BadMeshesAndMaterialsAreRefused) {
   };
   refuses([](SolidMesh& mesh) { mesh = {}; });
   refuses([](SolidMesh& mesh) { mesh.elements.pop_back(); });
+  refuses([](SolidMesh& mesh) { mesh.elements.assign(4 * (kMostElements + 1), 8); });
   refuses([](SolidMesh& mesh) { mesh.elements[3] = 8; });
   refuses([](SolidMesh& mesh) { mesh.elements[3] = -1; });
   refuses([](SolidMesh& mesh) { mesh.nodesPerElement = 5; });

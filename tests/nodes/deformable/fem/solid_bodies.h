@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -11,6 +13,18 @@
 #include <pleura/nodes/deformable/fem/solid_solver.h>
 
 namespace pleura {
+
+/// Appends the five tetrahedra of a cell whose corners are given in the order of bits, mirrored along x if
+/// `flip`: those of cells that share a face fit when one of the two is.
+inline void addTetrahedra(const std::array<int, 8>& corner, int flip, std::vector<int>& elements) {
+  static constexpr int kFive[5][4] = {{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}};
+  for (const auto& tet : kFive) {
+    int v[4];
+    for (int a = 0; a < 4; ++a) v[a] = corner[static_cast<std::size_t>(tet[a] ^ flip)];
+    if (flip) std::swap(v[2], v[3]);
+    elements.insert(elements.end(), v, v + 4);
+  }
+}
 
 /// Cells n.x by n.y by n.z of a box from the origin; five tetrahedra a cell, mirrored from cell to cell so
 /// that they fit, or one hexahedron.
@@ -22,24 +36,16 @@ inline SolidMesh box(const Eigen::Vector3i& n, const Eigen::Vector3d& size, int 
     for (int y = 0; y <= n.y(); ++y)
       for (int x = 0; x <= n.x(); ++x)
         mesh.nodes.push_back(Eigen::Vector3d(x, y, z).cwiseQuotient(n.cast<double>()).cwiseProduct(size));
-  static constexpr int kFive[5][4] = {{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}};
   for (int z = 0; z < n.z(); ++z)
     for (int y = 0; y < n.y(); ++y)
       for (int x = 0; x < n.x(); ++x) {
-        const auto at = [&](int bits) {
-          return corner(x + (bits & 1), y + ((bits >> 1) & 1), z + (bits >> 2));
-        };
-        if (nodesPerElement == 8) {
-          for (int bits = 0; bits < 8; ++bits) mesh.elements.push_back(at(bits));
-          continue;
-        }
-        const int flip = (x + y + z + 1) % 2;  // mirrors x
-        for (const auto& tet : kFive) {
-          int v[4];
-          for (int a = 0; a < 4; ++a) v[a] = at(tet[a] ^ flip);
-          if (flip) std::swap(v[2], v[3]);
-          mesh.elements.insert(mesh.elements.end(), v, v + 4);
-        }
+        std::array<int, 8> at;
+        for (int bits = 0; bits < 8; ++bits)
+          at[static_cast<std::size_t>(bits)] = corner(x + (bits & 1), y + ((bits >> 1) & 1), z + (bits >> 2));
+        if (nodesPerElement == 8)
+          mesh.elements.insert(mesh.elements.end(), at.begin(), at.end());
+        else
+          addTetrahedra(at, (x + y + z + 1) % 2, mesh.elements);
       }
   return mesh;
 }

@@ -1,5 +1,7 @@
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include "solid_bodies.h"
 #include <gtest/gtest.h>
@@ -126,6 +128,36 @@ TYPED_TEST(SolidSolvers, FirstOrderInTime) {
   EXPECT_NEAR(std::log2((a - b) / (b - c)), 1, 0.1);
 }
 
+// M ((v1 - v0) / h + alpha v1) + K (u1 + beta v1) = 0, in small motions of a free body from rest.
+TYPED_TEST(SolidSolvers, DampingIsAlphaMAndBetaK) {
+  const double h = 0.01;
+  const SolidMesh mesh = cube(2, 8);
+  SolidMaterial material = soft(0.3);
+  material.massDamping = 30;
+  material.stiffnessDamping = 0.02;
+  const LinearSolid linear(mesh, material, {});
+  TypeParam solid(mesh, material, {});
+  SolidState moving = solid.state();
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    moving.velocity[i] =
+        1e-5 * Eigen::Vector3d(std::sin(3. * double(i)), std::cos(5. * double(i)), std::sin(7. * double(i)));
+  ASSERT_TRUE(solid.setState(moving));
+  ASSERT_TRUE(solid.step(h, {}).converged());
+  const NodeVectors& v0 = moving.velocity;
+  const NodeVectors& v1 = solid.state().velocity;
+  NodeVectors strained(v1.size()), restoring(v1.size());
+  for (std::size_t i = 0; i < v1.size(); ++i)
+    strained[i] = solid.state().position[i] - mesh.nodes[i] + material.stiffnessDamping * v1[i];
+  multiply(linear.body().pattern, linear.stiffness(), strained, restoring);
+  double left = 0, size = 0;
+  for (std::size_t i = 0; i < v1.size(); ++i) {
+    const double m = linear.body().mass[i];
+    left += (m * ((v1[i] - v0[i]) / h + material.massDamping * v1[i]) + restoring[i]).squaredNorm();
+    size += (m / h * v0[i]).squaredNorm();
+  }
+  EXPECT_LT(std::sqrt(left / size), 1e-4);
+}
+
 TYPED_TEST(SolidSolvers, NoneOneAndAllNodesFixed) {
   const SolidMesh mesh = cube(2, 4);
   std::vector<int> all(mesh.nodes.size());
@@ -248,6 +280,39 @@ TYPED_TEST(SolidSolvers, NodesOfNoElementStay) {
   const NodeVectors forces(mesh.nodes.size(), Eigen::Vector3d(0, 0, -1));
   EXPECT_TRUE(solid.step(0.01, {.forces = forces}).converged());
   EXPECT_EQ(solid.state().position[27], mesh.nodes[27]);
+}
+
+// Two bodies stepped side by side in two threads move to the last bit as one after the other: solvers share
+// nothing that changes.
+TYPED_TEST(SolidSolvers, TwoInTwoThreadsAreAsInOne) {
+  const SolidMesh hexahedra = cube(3, 8), tetrahedra = cube(4, 4);
+  SolidMaterial material = soft(0.4);
+  material.massDamping = 1;
+  const auto swing = [](TypeParam& solid) {
+    NodeVectors forces;
+    for (int i = 0; i < 20; ++i) {
+      forces = weights(solid.body().mass, {0, 30. * (i % 3), -100});
+      solid.step(0.01, {.forces = forces});
+    }
+  };
+  std::array<SolidState, 2> found[2];
+  for (const bool together : {false, true}) {
+    TypeParam first(hexahedra, material, {clampedFace(hexahedra), {}});
+    TypeParam second(tetrahedra, material, {clampedFace(tetrahedra), {}});
+    if (together) {
+      const std::jthread beside([&] { swing(first); });
+      swing(second);
+    } else {
+      swing(first);
+      swing(second);
+    }
+    found[together] = {first.state(), second.state()};
+  }
+  for (const int k : {0, 1}) {
+    EXPECT_GT(farthestFrom(found[0][k].position, k == 0 ? hexahedra.nodes : tetrahedra.nodes), 1e-3);
+    EXPECT_EQ(found[0][k].position, found[1][k].position);
+    EXPECT_EQ(found[0][k].velocity, found[1][k].velocity);
+  }
 }
 
 // From 1e-6 s to 1e3 s.

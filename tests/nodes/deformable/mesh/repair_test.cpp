@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <pleura/nodes/deformable/mesh/mesh_report.h>
+#include <pleura/nodes/deformable/mesh/orientation.h>
 #include <pleura/nodes/deformable/mesh/repair.h>
 
 namespace pleura {
@@ -108,6 +109,16 @@ TEST(Repair, TurnsAnInsideOutPartButNotACavity) {
   const double volume = analyze(hollow).volume;
   EXPECT_EQ(repair(hollow).turnedParts, 0);
   EXPECT_EQ(analyze(hollow).volume, volume);
+}
+
+TEST(Repair, TellsCavitiesWithinABoundOfWork) {
+  TriangleMesh hollow = joined(shapes::sphere(12), shapes::flipped(shapes::sphere(12)), {0.1f, 0, 0}, 0.5f);
+  // A ray out of each of the cavity's triangles crosses no more than all of both.
+  const std::size_t enough = hollow.triangles.size() / 2 * hollow.triangles.size();
+  EXPECT_EQ(faceOutwards(hollow.points, hollow.triangles, enough), 0);
+  const auto before = hollow.triangles;
+  EXPECT_THROW(faceOutwards(hollow.points, hollow.triangles, 10), std::invalid_argument);
+  EXPECT_EQ(hollow.triangles, before);
 }
 
 TEST(Repair, FillsHolesUpToTheGivenLength) {

@@ -35,6 +35,15 @@ TEST(SpringModel, HasASpringAnEdgeAsLongAsMeshed) {
     }
 }
 
+// p = K dV / V of a sphere under a small pressure.
+TEST(SpringModel, HoldsAVolumeAHundredTimesStifferThanItsSprings) {
+  ElasticSurface surface(geodesicSphere(6, 1), {{100}, {1}, 0}, PressureInterior{1e-2});
+  const SpringReport report = surface.solve({}, {}, {1e-10, 50, 500});
+  ASSERT_TRUE(report.converged);
+  const double K = 1e-2 / (report.volume / surface.model.restVolume - 1);
+  EXPECT_NEAR(surface.model.holdModulus / K, 100, 5);
+}
+
 TEST(SpringModel, RefusesMaterialOutOfRangeAndNamesIt) {
   const TriangleMesh mesh = geodesicSphere(1, 1);
   for (const double k : {0.0, -1.0, kNan, kInfinity})
@@ -54,6 +63,16 @@ TEST(SpringModel, RefusesMaterialOutOfRangeAndNamesIt) {
 TEST(SpringModel, RefusesMeshesThatAreNone) {
   TriangleMesh mesh = geodesicSphere(1, 1);
   expectRefused([&] { ElasticSurface(TriangleMesh{mesh.points, {}}); }, "no triangles");
+  expectRefused(
+      [&] {
+        ElasticSurface({{kMostSpringPoints + 1, mesh.points[0]}, mesh.triangles});
+      },
+      "1000001 points, at most 1000000");
+  expectRefused(
+      [&] {
+        ElasticSurface({mesh.points, {kMostSpringTriangles + 1, mesh.triangles[0]}});
+      },
+      "4000001 triangles, at most 4000000");
   mesh.triangles[3][1] = 12;
   expectRefused([&] { ElasticSurface{mesh}; }, "uses point 12");
   mesh.triangles[3][1] = -1;
