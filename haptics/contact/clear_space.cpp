@@ -40,11 +40,17 @@ void ClearSpace::look(Neighbourhood& near, const Vector3d& position, double radi
       if (std::abs(screen.gap) <= kTouch && keep(screen)) screens_[k] = shape.likely;
     }
     const double farthest = reach + (shape.view - position).norm();
-    near.visitWithin(shape, shape.view, farthest, [&](int index) {
-      if (screens_[k] >= 0 && (index == screens_[k] || isBehind(index, screen))) return;
+    const auto add = [&](int index) {
       const TrianglePoint on = nearestOnTriangle(triangle(index).corners, shape.view);
       if ((shape.view - on.point).squaredNorm() <= farthest * farthest) keep(planeThrough(on, index));
-    });
+    };
+    if (screens_[k] < 0)
+      near.visitWithin(shape, shape.view, farthest, add);
+    else
+      near.visitInFront(shape, shape.view, farthest, screen.normal, screen.offset - radius_ + kCover,
+                        [&](int index) {
+                          if (index != screens_[k] && !isBehind(index, screen)) add(index);
+                        });
   }
   tellNearest(near);
 }

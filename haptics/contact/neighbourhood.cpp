@@ -17,6 +17,9 @@ constexpr double kOverlap = 0.01;
 /// So few triangles let a long way be looked at in one go.
 constexpr int kFew = 16;
 
+/// The share of what is gathered on top that lies ahead, the way the ball went since the last time.
+constexpr double kLead = 0.8;
+
 /// Gathering halves its reach at most so often.
 constexpr int kMaxHalvings = 12;
 
@@ -58,20 +61,13 @@ int Neighbourhood::find(std::uint32_t id) const {
   return -1;
 }
 
-/// Whether a triangle's ball is nearer to a point than a distance; then the triangle is added, if there is
-/// room.
-bool Neighbourhood::reaches(const TouchShape& shape, int index, const Vector3d& point, double distance) {
+/// Sets triangle count_, but for its shape.
+void Neighbourhood::add(const TouchShape& shape, int index) {
+  const Corners corners = cornersOf(shape, index);
   Triangle& triangle = triangles_[count_];
-  triangle.corners = cornersOf(shape, index);
-  const auto [centre, radius] = ballAbout(triangle.corners);
-  if ((centre - point).squaredNorm() > (distance + radius) * (distance + radius)) return false;
+  triangle.corners = corners;
   triangle.index = index;
-  FourBalls& four = balls_[count_ / 4];
-  const int k = count_ % 4;
-  for (int axis = 0; axis < 3; ++axis)
-    four.centre(k, axis) = static_cast<float>(centre[axis] - centre_[axis]);
-  four.radius[k] = static_cast<float>(radius);
-  return true;
+  fours_[count_ / 4].set(count_ % 4, corners.colwise() - centre_);
 }
 
 Neighbourhood::Nearest Neighbourhood::nearest(const Shape& shape, const Vector3d& point,
@@ -137,23 +133,23 @@ void Neighbourhood::advance(std::span<const TouchShape> shapes, const Vector3d& 
     return;
   }
   for (const TouchShape& shape : shapes)
-    if (find(shape.id) < 0)
-      visitNear(shape, centre_, reach_,
-                [&](int index) { return valid_ = !reaches(shape, index, centre_, reach_); });
+    if (find(shape.id) < 0) visitNear(shape, centre_, reach_, [&](int) { return valid_ = false; });
 }
 
-/// Whether the ball feels a shape that has appeared, as soon as the nearest triangle is surely here.
-void Neighbourhood::judge(Shape& shape, double radius) {
-  const Nearest at = nearest(shape, shape.view, reachOf(shape));
+/// Whether the ball feels a shape that has appeared, as soon as the nearest triangle is surely here: nearer
+/// than reach.
+void Neighbourhood::judge(Shape& shape, double radius, double reach) {
+  const Nearest at = nearest(shape, shape.view, reach);
   shape.isJudged = at.triangle >= 0;
   shape.felt = shape.isJudged && isInFront(shape, at, shape.view) && at.distance >= radius * (1 - kOverlap);
 }
 
-/// False if there is no room for all triangles, unless a part will do.
+/// Gathers about the place that is `lead` from the ball's. False if there is no room for all triangles,
+/// unless a part will do.
 bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& position, double radius,
-                            double reach, bool partly) {
+                            double reach, bool partly, const Vector3d& lead) {
   count_ = 0;
-  centre_ = position;
+  centre_ = position + lead;
   reach_ = reach;
   bool complete = true;
   const int known = shapeCount_;
@@ -169,10 +165,11 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
     const int first = count_;
     const Vector3d view = isNew ? position : shapes_[k].view;
     const double distance = reach + (view - position).norm();
-    visitNear(touchable, view, distance, [&](int index) {
-      if (!reaches(touchable, index, view, distance)) return true;
+    const Vector3d centre = view + lead;
+    visitNear(touchable, centre, distance, [&](int index) {
       if (count_ == kMaxTriangles || k == kMaxShapes) return complete = false;
       if (k < known && index == shapes_[k].likelyIndex) shapes_[k].likely = count_;
+      add(touchable, index);
       triangles_[count_++].shape = k;
       return true;
     });
@@ -202,7 +199,8 @@ bool Neighbourhood::collect(std::span<const TouchShape> shapes, const Vector3d& 
   }
   shapeCount_ = kept;
   for (int k = 0; k < shapeCount_; ++k)
-    if (!shapes_[k].isJudged) judge(shapes_[k], radius);
+    if (!shapes_[k].isJudged)
+      judge(shapes_[k], radius, reach + (shapes_[k].view - position).norm() - lead.norm());
   return true;
 }
 
@@ -211,19 +209,23 @@ double Neighbourhood::gather(std::span<const TouchShape> shapes, const Vector3d&
   if (valid_ && (position - centre_).norm() + reach <= reach_) return reach;
   // the next ticks find theirs here too, unless the shapes move on
   const double slack = moving_ ? radius / 2 : radius;
+  Vector3d lead = Vector3d::Zero();
+  if (valid_) lead = kLead * slack * (position - centre_).normalized();
   double room = std::min(reach, always) + slack;
-  for (int k = 0; !collect(shapes, position, radius, room, k == kMaxHalvings); ++k)
+  for (int k = 0; !collect(shapes, position, radius, room, k == kMaxHalvings, lead); ++k) {
     room = radius + (room - radius) / 2;
+    lead.setZero();
+  }
   while (count_ < kFew && room < reach + slack) {
     const double wider = std::min(2 * room, reach + slack);
-    if (!collect(shapes, position, radius, wider, false)) {
-      collect(shapes, position, radius, room, true);
+    if (!collect(shapes, position, radius, wider, false, lead)) {
+      collect(shapes, position, radius, room, true, lead);
       break;
     }
     room = wider;
   }
   valid_ = true;
-  return std::min(reach, room);
+  return std::min(reach, room - lead.norm());
 }
 
 void Neighbourhood::moveTo(const Vector3d& position) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include <pleura/haptics/contact/four_triangles.h>
 #include <pleura/haptics/contact/touch_shape.h>
 
 namespace pleura::haptics {
@@ -74,29 +75,32 @@ class Neighbourhood {
   template <class Visit>
   void visitWithin(const Shape& shape, const Eigen::Vector3d& point, double reach, Visit visit) const;
 
+  /// The same, but most of those that have normal . x <= offset are left out; normal is a unit vector.
+  template <class Visit>
+  void visitInFront(const Shape& shape, const Eigen::Vector3d& point, double reach,
+                    const Eigen::Vector3d& normal, double offset, Visit visit) const;
+
   std::span<const Triangle> triangles() const {
     return {triangles_.data(), static_cast<std::size_t>(count_)};
   }
 
  private:
-  /// Balls about four triangles, relative to centre_.
-  struct FourBalls {
-    Eigen::Array<float, 4, 3> centre = Eigen::Array<float, 4, 3>::Zero();
-    Eigen::Array4f radius = Eigen::Array4f::Zero();
-  };
+  /// visit(index) is called unless signs(fours_[index / 4])[index % 4] > 0.
+  template <class Signs, class Visit>
+  void visitUnless(const Shape& shape, Signs signs, Visit visit) const;
 
-  bool reaches(const TouchShape& shape, int index, const Eigen::Vector3d& point, double distance);
+  void add(const TouchShape& shape, int index);
   double reachOf(const Shape& shape) const { return reach_ + (shape.view - centre_).norm(); }
   bool isInFront(const Shape& shape, const Nearest& at, const Eigen::Vector3d& point) const;
   int find(std::uint32_t id) const;
-  void judge(Shape& shape, double radius);
+  void judge(Shape& shape, double radius, double reach);
   void carry(Shape& shape, const TouchShape& next, const Eigen::Vector3d& position) const;
   bool collect(std::span<const TouchShape> shapes, const Eigen::Vector3d& position, double radius,
-               double reach, bool partly);
+               double reach, bool partly, const Eigen::Vector3d& lead);
 
   std::array<Shape, kMaxShapes> shapes_;
-  std::array<Triangle, kMaxTriangles + 1> triangles_;  // the last is for looking at one more
-  std::array<FourBalls, kMaxTriangles / 4 + 1> balls_;
+  std::array<Triangle, kMaxTriangles> triangles_;
+  std::array<FourTriangles, kMaxTriangles / 4> fours_;  // the same, relative to centre_
   int shapeCount_ = 0;
   int count_ = 0;
   bool valid_ = false;
@@ -106,24 +110,41 @@ class Neighbourhood {
   double reach_ = 0;
 };
 
+template <class Signs, class Visit>
+void Neighbourhood::visitUnless(const Shape& shape, Signs signs, Visit visit) const {
+  // told first and visited then: a branch for each would be guessed wrong every other time
+  std::array<int, kMaxTriangles> found;
+  int count = 0;
+  for (int four = shape.begin / 4; four * 4 < shape.end; ++four) {
+    const FourTriangles::Signs sign = signs(fours_[four]);
+    for (int k = 0; k < 4; ++k) {
+      found[count] = 4 * four + k;
+      count += sign[k] <= 0;
+    }
+  }
+  for (int i = 0; i < count; ++i)
+    if (found[i] >= shape.begin && found[i] < shape.end) visit(found[i]);
+}
+
 template <class Visit>
 void Neighbourhood::visitWithin(const Shape& shape, const Eigen::Vector3d& point, double reach,
                                 Visit visit) const {
-  constexpr double rounding = 1e-5;  // of the balls and of what follows
-  const Eigen::Vector3f p = (point - centre_).cast<float>();
-  const float far = static_cast<float>(reach * (1 + rounding));
-  for (int four = shape.begin / 4; four * 4 < shape.end; ++four) {
-    const FourBalls& balls = balls_[four];
-    Eigen::Array4f squared = (balls.centre.col(0) - p[0]).square();
-    squared += (balls.centre.col(1) - p[1]).square();
-    squared += (balls.centre.col(2) - p[2]).square();
-    const Eigen::Array4f excess = squared - (balls.radius + far).square();
-    if (excess.minCoeff() > 0) continue;
-    for (int k = 0; k < 4; ++k) {
-      const int index = 4 * four + k;
-      if (excess[k] <= 0 && index >= shape.begin && index < shape.end) visit(index);
-    }
-  }
+  const FourTriangles::Ball ball(point - centre_, reach);
+  visitUnless(
+      shape, [&](const FourTriangles& four) { return four.isFarther(ball); }, visit);
+}
+
+template <class Visit>
+void Neighbourhood::visitInFront(const Shape& shape, const Eigen::Vector3d& point, double reach,
+                                 const Eigen::Vector3d& normal, double offset, Visit visit) const {
+  const FourTriangles::Ball ball(point - centre_, reach);
+  const FourTriangles::HalfSpace behind(normal, offset - normal.dot(centre_));
+  visitUnless(
+      shape,
+      [&](const FourTriangles& four) -> FourTriangles::Signs {
+        return four.isFarther(ball).max(four.isBehind(behind));
+      },
+      visit);
 }
 
 }  // namespace pleura::haptics

@@ -17,8 +17,6 @@ using Eigen::Vector3i;
 
 namespace {
 
-constexpr int kLeafSize = 4;
-
 std::uint64_t nextSerial() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;

@@ -32,6 +32,7 @@ class TouchMesh {
   int welded(int point) const { return welded_[point]; }
 
   /// Up to four boxes, or triangles, a node; parents before children.
+  static constexpr int kLeafSize = 4;
   struct Child {
     int first;
     int count;  // of triangles, ordered()[first] and on; 0: `first` is a node

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include <Eigen/Geometry>
@@ -30,21 +31,34 @@ Corners cornersOf(const TouchShape& shape, int triangle);
 /// point is seen from the front where this and the way to the point make less than a right angle.
 Eigen::Vector3d outward(const TouchShape& shape, int triangle, const Eigen::Vector3d& weights);
 
-/// The triangles whose boxes reach into the cube of that half side [m] about a point of the world;
-/// visit(triangle) returns false to end. No triangle that is nearer than the half side is left out. Not for
+/// The triangles whose boxes reach into the ball of that radius [m] about a point of the world;
+/// visit(triangle) returns false to end. No triangle that is nearer than the radius is left out. Not for
 /// points beyond a float's range.
 template <class Visit>
-void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double halfSide, Visit visit);
+void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double radius, Visit visit);
 
 template <class Visit>
-void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double halfSide, Visit visit) {
+void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double radius, Visit visit) {
   using FourBounds = Eigen::Array<float, 4, 1>;
+  using Place = Eigen::Array3f;
   // the boxes are of floats, and those between two frames are rounded: so much more is asked for
   constexpr float rounding = 1e-6F;
   constexpr int stackSize = 64;  // 3 children wait on each of at most 16 levels: 4^16 > 2^31 triangles
-  const Eigen::Vector3f p = (shape.pose.inverse(Eigen::Isometry) * point).cast<float>();
-  const float reach = static_cast<float>(halfSide) * (1 + rounding) + rounding * p.cwiseAbs().maxCoeff();
+  const Place p = (shape.pose.inverse(Eigen::Isometry) * point).cast<float>();
+  const float reach = static_cast<float>(radius) * (1 + rounding) + rounding * p.abs().maxCoeff();
+  const float squaredReach = reach * reach;
   const bool moves = shape.from != shape.to;
+  const auto squaredDistance = [&](int triangle) {
+    const Eigen::Vector3i& t = shape.mesh->triangles()[triangle];
+    std::array<Place, 3> corners;
+    for (int k = 0; k < 3; ++k) {
+      corners[k] = shape.from->points[t[k]];
+      if (moves) corners[k] += shape.s * (shape.to->points[t[k]].array() - corners[k]);
+    }
+    const Place low = corners[0].min(corners[1]).min(corners[2]);
+    const Place high = corners[0].max(corners[1]).max(corners[2]);
+    return (low - p).max(p - high).max(0.0F).square().sum();
+  };
   std::array<int, stackSize> stack;
   int size = 0;
   stack[size++] = 0;
@@ -52,7 +66,7 @@ void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double hal
     const int index = stack[--size];
     const TouchMesh::Node& node = shape.mesh->nodes()[index];
     const TouchBoxes& from = shape.from->boxes[index];
-    FourBounds outside = FourBounds::Zero();
+    FourBounds squared = FourBounds::Zero();
     for (int k = 0; k < 3; ++k) {
       FourBounds low = from.low.col(k), high = from.high.col(k);
       if (moves) {
@@ -60,15 +74,22 @@ void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double hal
         low += shape.s * (to.low.col(k) - low);
         high += shape.s * (to.high.col(k) - high);
       }
-      outside = outside.max(low - p[k]).max(p[k] - high);
+      squared += (low - p[k]).max(p[k] - high).max(0.0F).square();
     }
+    // told first and visited then: a branch for each would be guessed wrong every other time
+    std::array<int, 4 * TouchMesh::kLeafSize> near;
+    int count = 0;
     for (int c = 0; c < node.childCount; ++c) {
-      if (outside[c] > reach) continue;
-      const auto [first, count] = node.children[c];
-      if (count == 0) stack[size++] = first;
-      for (int i = first; i < first + count; ++i)
-        if (!visit(shape.mesh->ordered()[i])) return;
+      if (squared[c] > squaredReach) continue;
+      const auto [first, triangles] = node.children[c];
+      if (triangles == 0) stack[size++] = first;
+      for (int i = first; i < first + triangles; ++i) {
+        near[count] = shape.mesh->ordered()[i];
+        count += squaredDistance(near[count]) <= squaredReach;
+      }
     }
+    for (int i = 0; i < count; ++i)
+      if (!visit(near[i])) return;
   }
 }
 

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include <pleura/haptics/contact/triangle_point.h>
+
+namespace pleura::haptics {
+
+/// Four triangles side by side in floats, to tell cheaply which of them do not matter. None that does is
+/// missed: rounding is on the safe side. Places are relative to one that is near.
+class FourTriangles {
+ public:
+  /// A float for each triangle, whose sign tells.
+  using Signs = Eigen::Array4f;
+
+  struct Ball {
+    Ball(const Eigen::Vector3d& place, double distance)
+        : centre(place.cast<float>()),
+          radius(static_cast<float>(distance + kRounding * (distance + place.norm()))) {}
+    Eigen::Vector3f centre;
+    float radius;  // [m]
+  };
+
+  /// normal . x <= offset; the normal is a unit vector.
+  struct HalfSpace {
+    HalfSpace(const Eigen::Vector3d& unit, double distance)
+        : normal(unit.cast<float>()), offset(static_cast<float>(distance - kRounding * std::abs(distance))) {}
+    Eigen::Vector3f normal;
+    float offset;  // [m]
+  };
+
+  /// Puts a triangle at 0..3.
+  void set(int at, const Corners& corners) {
+    const Eigen::Vector3d low = corners.rowwise().minCoeff(), high = corners.rowwise().maxCoeff();
+    const double rounding = kRounding * low.cwiseAbs().cwiseMax(high.cwiseAbs()).norm();
+    for (int axis = 0; axis < 3; ++axis) {
+      low_(at, axis) = static_cast<float>(low[axis] - rounding);
+      high_(at, axis) = static_cast<float>(high[axis] + rounding);
+      for (int k = 0; k < 3; ++k) corners_[k](at, axis) = static_cast<float>(corners(axis, k));
+    }
+    rounding_[at] = static_cast<float>(rounding);
+  }
+
+  /// > 0 only where no place of the triangle is in the ball.
+  Signs isFarther(const Ball& ball) const {
+    Signs squared = Signs::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+      squared +=
+          (low_.col(axis) - ball.centre[axis]).max(ball.centre[axis] - high_.col(axis)).max(0.0F).square();
+    return squared - ball.radius * ball.radius;
+  }
+
+  /// > 0 only where all of the triangle is in the half-space.
+  Signs isBehind(const HalfSpace& half) const {
+    const Eigen::Vector3f& n = half.normal;
+    const auto along = [&n](const Places& c) { return n[0] * c.col(0) + n[1] * c.col(1) + n[2] * c.col(2); };
+    return half.offset - (along(corners_[0]).max(along(corners_[1])).max(along(corners_[2])) + rounding_);
+  }
+
+ private:
+  /// Of a distance: six roundings are between a corner and what its place along a normal is compared to.
+  static constexpr double kRounding = 4e-7;
+
+  using Places = Eigen::Array<float, 4, 3>;  // column k holds coordinate k
+
+  Places low_ = Places::Zero(), high_ = Places::Zero();  // of the triangles' boxes
+  std::array<Places, 3> corners_{low_, low_, low_};
+  Signs rounding_ = Signs::Zero();
+};
+
+}  // namespace pleura::haptics
