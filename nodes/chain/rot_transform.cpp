@@ -41,8 +41,8 @@ void RotTransform::Followed::update() {
   value.clear();
   auto& contacts = static_cast<Touch&>(*routes_in[0]);
   contacts.upToDate();
-  contacts.forEach([&](Touch& touch) {
-    const auto& followed = touch.found().followed;
+  contacts.forEach([&](Touch& contact) {
+    const auto& followed = contact.found().followed;
     value.insert(value.end(), followed.begin(), followed.end());
   });
 }

@@ -27,14 +27,14 @@ void FittedTransform::onInitialize() {
 }
 
 void FittedTransform::Fit::update() {
-  const auto& from = static_cast<MFVec3f*>(routes_in[0])->getValue();
-  const auto& to = static_cast<MFVec3f*>(routes_in[1])->getValue();
+  const auto& source = static_cast<MFVec3f*>(routes_in[0])->getValue();
+  const auto& target = static_cast<MFVec3f*>(routes_in[1])->getValue();
   value.setIdentity();
-  if (from.size() != to.size() || from.empty() || from == to) return;
+  if (source.size() != target.size() || source.empty() || source == target) return;
   from_.clear();
   to_.clear();
-  for (const auto& p : from) from_.push_back(p.cast<double>());
-  for (const auto& p : to) to_.push_back(p.cast<double>());
+  for (const auto& p : source) from_.push_back(p.cast<double>());
+  for (const auto& p : target) to_.push_back(p.cast<double>());
   value = fitRigid(from_, to_).matrix();
 }
 

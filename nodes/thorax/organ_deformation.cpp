@@ -79,7 +79,7 @@ NodePtr OrganDeformation::choose(DeformableShape2& organ) {
 
 NodePtr OrganDeformation::made(const DeformationFigure& figure) {
   if (figure.deformer.empty()) return nullptr;
-  const NodePtr node = context().make(figure.deformer);
+  NodePtr node = context().make(figure.deformer);
   if (!node) return nullptr;
   for (const auto& [field, text] : figure.fields) node->getField(field)->setValueFromString(text);
   node->initialize(context());

@@ -60,8 +60,8 @@ void RotTransform::onInitialize() {
 }
 
 void RotTransform::Turn::update() {
-  const auto& angles = static_cast<SFVec3f*>(routes_in[0])->getValue();
-  value = turned(angles, static_cast<SFFloat*>(routes_in[1])->getValue());
+  value = turned(static_cast<SFVec3f*>(routes_in[0])->getValue(),
+                 static_cast<SFFloat*>(routes_in[1])->getValue());
 }
 
 void RotTransform::Rota::update() {

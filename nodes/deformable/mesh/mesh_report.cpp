@@ -64,6 +64,7 @@ std::vector<int> pieceLengths(const std::vector<EdgeUse>& open, std::size_t poin
   std::map<int, int> lengthOf;
   for (const EdgeUse& edge : open) ++lengthOf[sets.find(edge.low)];
   std::vector<int> lengths;
+  lengths.reserve(lengthOf.size());
   for (const auto& [first, length] : lengthOf) lengths.push_back(length);
   std::sort(lengths.rbegin(), lengths.rend());
   return lengths;

@@ -28,8 +28,8 @@ LungMesh concentricMesh(std::span<const Vector2d> outline) {
     for (int k = 0; k < 6 * j; ++k) {
       const int i = k * rings / j;  // point k of the ring lies (k R mod j) / j past point i of the outline
       const double part = static_cast<double>(k * rings % j) / j;
-      const Vector2d p = outline[static_cast<std::size_t>(i)];
-      const Vector2d next = outline[static_cast<std::size_t>((i + 1) % count)];
+      const Vector2d& p = outline[static_cast<std::size_t>(i)];
+      const Vector2d& next = outline[static_cast<std::size_t>((i + 1) % count)];
       mesh.points.emplace_back(j == rings ? p : middle + (p + part * (next - p) - middle) * j / rings);
     }
   }

@@ -21,7 +21,7 @@ CondensedLung::CondensedLung(const LungMesh& mesh, const LungTissue& tissue, dou
   if (!isTissue) throw std::invalid_argument("lung: tissue outside its range");
   const Index outer = 2 * outlineCount;
   const Index first = 2 * firstFree;
-  const Index free = outer - 2 * (2 * mesh.heldCount + 1);
+  const Index free = outer - Index{2} * (2 * mesh.heldCount + 1);
   const Index inner = 2 * static_cast<Index>(rest.size()) - outer;
 
   using Sparse = Eigen::SparseMatrix<double>;

@@ -14,8 +14,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3i;
 
 constexpr int kLandmarks = 13;
-constexpr int kCardiophrenic = 2, kDome = 4, kCostophrenic = 6;  // landmarks
-constexpr int kSamples = 64;                                     // of the curve between two landmarks
+constexpr int kCardiophrenic = 2, kCostophrenic = 6;  // landmarks
+constexpr int kSamples = 64;                          // of the curve between two landmarks
 
 void require(bool isRight, const char* what) {
   if (!isRight) throw std::invalid_argument(std::string("hemithorax: ") + what);
@@ -84,7 +84,7 @@ struct Curve {
       length.push_back(length.back() + (points[k] - points[k - 1]).norm());
   }
 
-  double lengthAt(int landmark) const { return length[static_cast<std::size_t>(landmark * kSamples)]; }
+  double lengthAt(int landmark) const { return length[static_cast<std::size_t>(landmark) * kSamples]; }
 
   Vector2d at(double along) const {
     std::size_t k = 1;
@@ -103,7 +103,7 @@ double smoothStep(double s) {
 /// about the spine: more the farther from it, and more the lower.
 ChestOutline makeWall(const HemithoraxShape& shape) {
   const Curve curve(landmarks(shape));
-  const auto count = static_cast<std::size_t>(12 * shape.rings);
+  const auto count = 12 * static_cast<std::size_t>(shape.rings);
   const double from = curve.lengthAt(kCardiophrenic);
   const double to = curve.lengthAt(kCostophrenic);
   ChestOutline wall;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 #include <pleura/nodes/deformable/fem/pressure.h>
@@ -22,7 +23,8 @@ std::vector<int> nodesOf(const Embedding& embedding, std::span<const int> hilum)
   for (const int point : hilum) {
     if (point < 0 || point >= embedding.size())
       throw std::invalid_argument("hilum: there is no point " + std::to_string(point));
-    nodes.insert(nodes.end(), embedding.nodes.begin() + 8 * point, embedding.nodes.begin() + 8 * point + 8);
+    const auto first = embedding.nodes.begin() + std::ptrdiff_t{8} * point;
+    nodes.insert(nodes.end(), first, first + 8);
   }
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

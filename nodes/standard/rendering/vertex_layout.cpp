@@ -19,14 +19,14 @@ void VertexLayout::assign(std::span<const Corner> corners, std::span<const std::
   });
   vertices_.clear();
   std::vector<std::uint32_t> vertexOf(corners.size());
-  std::int32_t lastGroup = -1;
+  std::int32_t groups = 0;
   for (const std::uint32_t corner : order) {
     if (vertices_.empty() || key(vertices_.back()) != key(corners[corner]))
       vertices_.push_back(corners[corner]);
     vertexOf[corner] = static_cast<std::uint32_t>(vertices_.size() - 1);
-    lastGroup = std::max(lastGroup, corners[corner].normal);
+    groups = std::max(groups, corners[corner].normal + 1);
   }
-  groups_.assign(static_cast<std::size_t>(lastGroup + 1), Vec3d::Zero());
+  groups_.assign(static_cast<std::size_t>(groups), Vec3d::Zero());
   mesh.indices.resize(primitives.size());
   std::transform(primitives.begin(), primitives.end(), mesh.indices.begin(),
                  [&](std::uint32_t corner) { return vertexOf[corner]; });

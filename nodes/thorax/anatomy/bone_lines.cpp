@@ -67,6 +67,7 @@ std::vector<Vector3f> resampled(const std::vector<Vector3d>& line, int samples) 
   const Spline spline(knots, line);
   const ArcLength way(spline);
   std::vector<Vector3f> points;
+  points.reserve(static_cast<std::size_t>(samples));
   for (int k = 0; k < samples; ++k) {
     points.push_back(spline.at(way.parameter(way.length() * k / (samples - 1))).cast<float>());
   }

@@ -43,8 +43,8 @@ double SmoothField::operator()(const Eigen::Vector3d& point) const {
   double sum = 0.0;
   for (int k = 0; k < 4; ++k) {
     for (int j = 0; j < 4; ++j) {
-      const double* row =
-          &values_[static_cast<std::size_t>(nodes_.x() * (node(j, 1) + nodes_.y() * node(k, 2)))];
+      const std::size_t rowsBefore = static_cast<std::size_t>(node(k, 2)) * nodes_.y() + node(j, 1);
+      const double* row = &values_[rowsBefore * nodes_.x()];
       double line = 0.0;
       for (int i = 0; i < 4; ++i) line += weight(i, 0) * row[node(i, 0)];
       sum += weight(j, 1) * weight(k, 2) * line;

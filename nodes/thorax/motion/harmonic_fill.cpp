@@ -32,10 +32,12 @@ std::set<std::pair<int, int>> edgesOf(const TriangleMesh& mesh) {
 
 /// L = D - W over all points, W_ij = 1 / |p_i - p_j| along edges.
 Matrix laplacian(const TriangleMesh& mesh) {
-  std::vector<Eigen::Triplet<double>> entries;
+  const auto edges = edgesOf(mesh);
   const auto n = static_cast<Eigen::Index>(mesh.points.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(mesh.points.size() + 4 * edges.size());
   for (int i = 0; i < n; ++i) entries.emplace_back(i, i, kGround);
-  for (const auto& [i, j] : edgesOf(mesh)) {
+  for (const auto& [i, j] : edges) {
     const Eigen::Vector3f edge =
         mesh.points[static_cast<std::size_t>(i)] - mesh.points[static_cast<std::size_t>(j)];
     const double w = 1.0 / std::max(static_cast<double>(edge.norm()), kShortest);

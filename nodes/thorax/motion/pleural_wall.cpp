@@ -186,7 +186,8 @@ PleuralWall buildPleuralWall(const HemithoraxAxis& axis, std::span<const WallBod
   PleuralWall wall;
   wall.axis = axis;
   wall.spacing.assign(PleuralWall::kColumns, 0.0);
-  wall.rest.assign(PleuralWall::kColumns * PleuralWall::kRows, axis.origin.cast<float>().homogeneous());
+  wall.rest.assign(std::size_t{PleuralWall::kColumns} * PleuralWall::kRows,
+                   axis.origin.cast<float>().homogeneous());
   wall.inward.assign(wall.rest.size(), Eigen::Vector4f::Zero());
   wall.weights.resize(wall.rest.size());
   for (int column = 0; column < PleuralWall::kColumns; ++column) {

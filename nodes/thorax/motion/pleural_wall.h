@@ -50,7 +50,9 @@ struct PleuralWall {
   bool open(int column) const { return spacing[static_cast<std::size_t>(column)] == 0.0; }
   static int next(int column) { return (column + 1) % kColumns; }
   static int previous(int column) { return (column + kColumns - 1) % kColumns; }
-  static std::size_t index(int column, int row) { return static_cast<std::size_t>(column * kRows + row); }
+  static std::size_t index(int column, int row) {
+    return static_cast<std::size_t>(column) * kRows + static_cast<std::size_t>(row);
+  }
 };
 
 /// Builds the wall from the bones at rest. In each half-plane the profile is what a parabola of curvature k

@@ -61,7 +61,7 @@ class ThoraxWriter {
 
  private:
   NodePtr shape(const TriangleMesh& mesh, Tissue tissue) {
-    const auto node = maker_.make("Shape");
+    auto node = maker_.make("Shape");
     maker_.put(node, "appearance", appearanceOf(maker_, tissue));
     maker_.put(node, "geometry", triangleSet(maker_, mesh, true, kPerMetre));
     return node;
@@ -76,7 +76,7 @@ class ThoraxWriter {
     Document document;
     document.nodes = shapes;
     finish(document, name, what);
-    const auto node = maker_.make("Inline");
+    auto node = maker_.make("Inline");
     maker_.set<MFString>(node, "url", {name + ".x3d"});
     return node;
   }
@@ -119,7 +119,7 @@ class ThoraxWriter {
   }
 
   NodePtr addSternum() {
-    const auto node = maker_.make("FittedTransform", "STERNUM");
+    auto node = maker_.make("FittedTransform", "STERNUM");
     std::vector<Vec3f> ends;
     for (const auto& rib : anatomy_.ribs) {
       if (rib.number > kSternalRibs) continue;
@@ -140,7 +140,7 @@ class ThoraxWriter {
       entitle(shapes.back(), "Vertebra " + vertebra.name);
       shapes.push_back(shape(vertebra.disc, Tissue::cartilage));
     }
-    const auto node = maker_.make("Group", "SPINE");
+    auto node = maker_.make("Group", "SPINE");
     maker_.put(node, "children", file("spine", "vertebrae T1 to T12 and the discs below them", shapes));
     addPart(node);
     return node;
@@ -177,7 +177,7 @@ class ThoraxWriter {
       }
       index.push_back(-1);
     }
-    const auto node = maker_.make("SkinDeformer");
+    auto node = maker_.make("SkinDeformer");
     for (const auto& body : used) maker_.put(node, "bodies", body);
     maker_.set<MFInt32>(node, "bodyIndex", index);
     maker_.set<MFFloat>(node, "weight", share);
@@ -213,7 +213,7 @@ class ThoraxWriter {
     maker_.set<SFFloat>(deformer, "stretchFactor", chainmail.y());
     maker_.set<SFFloat>(deformer, "shearFactor", chainmail.z());
     maker_.set<SFInt32>(deformer, "smoothing", kSmoothing);
-    const auto node = maker_.make("DeformableShape2", name);
+    auto node = maker_.make("DeformableShape2", name);
     maker_.put(node, "appearance", appearanceOf(maker_, tissue));
     maker_.put(node, "geometry", triangleSet(maker_, mesh, isSolid, kPerMetre));
     maker_.put(node, "deformer", deformer);
@@ -231,6 +231,7 @@ class ThoraxWriter {
   template <class Part>
   static std::vector<std::int32_t> numbers(const std::vector<Part>& parts) {
     std::vector<std::int32_t> all;
+    all.reserve(parts.size());
     for (const auto part : parts) all.push_back(static_cast<std::int32_t>(part));
     return all;
   }
@@ -238,7 +239,7 @@ class ThoraxWriter {
   NodePtr addDiaphragm(const std::vector<NodePtr>& walls) {
     const auto& diaphragm = anatomy_.diaphragm;
     const auto node = organ("DIAPHRAGM", diaphragm.mesh, Tissue::muscle, kDiaphragmChainmail, false);
-    const auto contacts = maker_.make("DiaphragmContacts", "DIAPHRAGM_CONTACTS");
+    auto contacts = maker_.make("DiaphragmContacts", "DIAPHRAGM_CONTACTS");
     for (const auto& wall : walls) maker_.put(contacts, "walls", wall);
     maker_.set<MFInt32>(contacts, "part", numbers(diaphragm.part));
     std::vector<float> s;

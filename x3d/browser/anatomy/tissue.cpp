@@ -29,7 +29,7 @@ Look lookOf(Tissue tissue) {
 /// tip (a lung under 5 mm has 40-120), the diaphragm 180, bone all there is.
 NodePtr surfaceOf(const NodeMaker& maker, Tissue tissue) {
   const auto make = [&maker](const char* type, float stiffness, float damping, float friction) {
-    const auto surface = maker.make(type);
+    auto surface = maker.make(type);
     maker.set<SFFloat>(surface, "stiffness", stiffness);
     maker.set<SFFloat>(surface, "damping", damping);
     maker.set<SFFloat>(surface, "staticFriction", friction);
@@ -58,7 +58,7 @@ NodePtr appearanceOf(const NodeMaker& maker, Tissue tissue) {
   maker.set<SFColor>(material, "specularColor", look.specular);
   maker.set<SFFloat>(material, "shininess", look.shininess);
   maker.set<SFFloat>(material, "transparency", look.transparency);
-  const auto appearance = maker.make("Appearance");
+  auto appearance = maker.make("Appearance");
   maker.put(appearance, "material", material);
   maker.put(appearance, "surface", surfaceOf(maker, tissue));
   return appearance;

@@ -70,7 +70,7 @@ NodePtr shapeOf(const NodeMaker& maker, const ImportedPart& part, const Triangle
   maker.set<MFInt32>(geometry, "index", index);
   maker.set<SFBool>(geometry, "solid", false);
   maker.put(geometry, "coord", coordinate);
-  const auto shape = maker.make("Shape");
+  auto shape = maker.make("Shape");
   maker.put(shape, "appearance", appearance);
   maker.put(shape, "geometry", geometry);
   return shape;

@@ -16,8 +16,6 @@
 
 #include <pleura/x3d/browser/render/film_writer.h>
 
-extern char** environ;
-
 namespace pleura::render {
 namespace {
 
@@ -88,6 +86,7 @@ void FilmWriter::start(const std::string& size, const std::string& rate) {
                                     "mp4",
                                     "file:" + partial_};
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   SpawnActions actions;

@@ -88,7 +88,8 @@ std::vector<std::vector<char32_t>> splitLines(std::string_view text) {
 std::string findFont(FontFamily family, bool bold, bool italic) {
   const std::string file = fontFile(family, bold, italic);
   for (const std::string& folder : fontFolders)
-    if (std::filesystem::exists(folder + "/" + file)) return folder + "/" + file;
+    if (const auto path = std::filesystem::path(folder) / file; std::filesystem::exists(path))
+      return path.string();
   throw std::runtime_error(
       fmt::format("text needs the font {}, which is not in {}", file, fmt::join(fontFolders, ", ")));
 }
@@ -162,7 +163,7 @@ int Font::Implementation::lineWidth(const std::vector<char32_t>& line) const {
 
 void Font::Implementation::drawLine(const std::vector<char32_t>& line, int penX, int baseY,
                                     TextBitmap& bitmap) const {
-  FT_Pos pen = 64 * penX;
+  FT_Pos pen = FT_Pos{64} * penX;
   for (const char32_t c : line) {
     if (FT_Load_Char(face, c, FT_LOAD_RENDER) != 0) continue;
     const FT_GlyphSlot glyph = face->glyph;
@@ -183,6 +184,7 @@ TextBitmap Font::rasterize(std::string_view text, int size, float justification)
   FT_Set_Char_Size(implementation_->face, 0, std::lround(64 * em), 72, 72);
   const auto lines = splitLines(text);
   std::vector<int> widths;
+  widths.reserve(lines.size());
   for (const auto& line : lines) widths.push_back(implementation_->lineWidth(line));
   constexpr int margin = 2;  // glyphs may reach past their advance
   TextBitmap bitmap;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,8 +34,8 @@ Scene::~Scene() {
 
 void Scene::load(const std::filesystem::path& file, ReaderLimits limits) {
   file_ = file.string();
-  limits_ = limits;
-  document_ = Reader(registry_, plugins_, *this, diagnostics_, limits).readFile(file);
+  limits_ = std::move(limits);
+  document_ = Reader(registry_, plugins_, *this, diagnostics_, limits_).readFile(file);
 }
 
 void Scene::tick(Time now) {

@@ -64,7 +64,7 @@ std::vector<TierFigures> readFigures(const std::filesystem::path& file) {
   return all;
 }
 
-FigureTable::FigureTable(std::filesystem::path file, std::string key) : file_(std::move(file)) {
+FigureTable::FigureTable(std::filesystem::path file, const std::string& key) : file_(std::move(file)) {
   const std::string begin = "# " + key + "\n" + kHeader + "\n";
   std::string first;
   if (std::ifstream in(file_); std::getline(in, first) && first == "# " + key) all_ = readFigures(file_);

@@ -36,7 +36,7 @@ std::vector<TierFigures> readFigures(const std::filesystem::path& file);
 class FigureTable {
  public:
   /// Reads what is there. Throws std::runtime_error when the file can't be written.
-  FigureTable(std::filesystem::path file, std::string key);
+  FigureTable(std::filesystem::path file, const std::string& key);
 
   const std::vector<TierFigures>& all() const { return all_; }
   bool has(const std::string& organ, const std::string& method, int elements) const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include <malloc.h>
@@ -38,8 +39,8 @@ void press(DeformerNode& deformer, float pressure) {
 }
 
 double quantile(const std::vector<double>& sorted, double q) {
-  return sorted.empty() ? 0
-                        : sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
+  if (sorted.empty()) return 0;
+  return sorted[static_cast<std::size_t>(std::lround(q * static_cast<double>(sorted.size() - 1)))];
 }
 
 bool hasConverged(DeformerNode& deformer) {
