@@ -6,6 +6,7 @@
 #include <random>
 
 #include "elastic_surface.h"
+#include "no_numbers.h"
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -17,8 +18,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr float kRadius = 0.1f;  // [m]
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const std::vector<SpringInterior> kInteriors{EmptyInterior(), GasInterior{425, 101325}, PressureInterior{50},
                                              VolumeInterior()};

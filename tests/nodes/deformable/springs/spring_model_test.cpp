@@ -4,15 +4,13 @@
 #include <string>
 
 #include "elastic_surface.h"
+#include "no_numbers.h"
 #include <gtest/gtest.h>
 
 #include <pleura/nodes/deformable/mesh/topology.h>
 
 namespace pleura {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void expectRefused(const std::function<void()>& make, const std::string& word) {
   try {
