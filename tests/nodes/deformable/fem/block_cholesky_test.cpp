@@ -121,6 +121,18 @@ TEST(BlockCholesky, ToldOfNoUnknownsAndOfASingularMatrix) {
   EXPECT_TRUE(factor.factorise(line, values));
 }
 
+// Of (1, -c; -c, 1) the second pivot is 1 - c^2.
+TEST(BlockCholesky, IsSingularFromAPivotOf1e14th) {
+  const BlockPattern pair = makeBlockPattern(2, std::vector{0, 2}, std::vector{0, 1});
+  const auto isRegular = [&](double pivot) {
+    BlockValues values(3, Eigen::Matrix3d::Identity());
+    values[1] *= -(1 - pivot / 2);
+    return BlockCholesky(pair, std::vector{0, 1}).factorise(pair, values);
+  };
+  EXPECT_TRUE(isRegular(1e-13));
+  EXPECT_FALSE(isRegular(4e-15));
+}
+
 TEST(BlockCholesky, RefusesAFactorThatWouldBeTooLarge) {
   const System system = randomSystem(200, 5);
   std::vector<int> all(200);

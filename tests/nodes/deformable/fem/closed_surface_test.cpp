@@ -109,6 +109,9 @@ TEST(ClosedSurface, RefusesWhatIsNone) {
   EXPECT_EQ(refusal({{{0, 0, nan}}, {{0, 0, 0}}}), "points: point 0 is not finite");
   EXPECT_EQ(refusal({{{0, 0, 0}}, std::vector<Eigen::Vector3i>(kMostSurfaceTriangles + 1, {0, 0, 7})}),
             "triangles: there are 4000001, at most 4000000 are taken");
+  TriangleMesh tube = shapes::cube();
+  tube.triangles.resize(8);  // without x = 0 and x = 1
+  EXPECT_EQ(refusal(tube), "triangles: no closed surface: 8 of 16 edges are open, around 2 holes");
   std::mt19937 random(1);
   EXPECT_EQ(refusal(shapes::soup(100, random)),
             "triangles: no closed surface: 300 of 300 edges are open, around 100 holes");

@@ -56,6 +56,16 @@ TEST(Element, DegenerateOnesAreLeftOutAndCounted) {
   }
 }
 
+TEST(Element, FlatOnesStayToABillionth) {
+  for (const int kind : {4, 8}) {
+    SolidMesh mesh = cube(2, kind);
+    for (auto& x : mesh.nodes) x.z() *= 1e-7;
+    EXPECT_EQ(makeSolidElements(mesh).degenerateCount, 0);
+    for (auto& x : mesh.nodes) x.z() *= 1e-3;
+    EXPECT_THROW(makeSolidElements(mesh), std::invalid_argument);
+  }
+}
+
 TEST(Element, BadMeshesAndMaterialsAreRefused) {
   const auto refuses = [](auto change) {
     SolidMesh mesh = cube(1, 4);

@@ -100,6 +100,15 @@ TEST(Embedding, ExtrapolatesPointsOutside) {
   const auto found = interpolated(embedding, lattice.solid.nodes);
   for (std::size_t i = 0; i < points.size(); ++i)
     EXPECT_LT((found[i] - points[i].cast<double>()).norm(), 1e-9);
+  const auto distance = [&](std::size_t point, int element) {
+    const Vector3d low = lattice.solid.nodes[lattice.solid.elements[8 * element]];
+    return (low.array() + lattice.grid.cellSize / 2 - points[point].cast<double>().array()).matrix().norm();
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double least = distance(i, 0);
+    for (int e = 1; e < lattice.solid.elementCount(); ++e) least = std::min(least, distance(i, e));
+    EXPECT_LT(distance(i, embedding.elements[i]), least + 2 * lattice.grid.cellSize) << "tied to one near by";
+  }
   EXPECT_THROW(embed(lattice, std::vector<Vector3f>{{0, 0, std::nanf("")}}), std::invalid_argument);
   EXPECT_THROW(embed(Lattice{}, points), std::invalid_argument);
 }

@@ -145,6 +145,32 @@ TEST(Lattice, CountsTheOverlapOfCrossingSpheresOnce) {
   EXPECT_THAT(findings(report), testing::Contains(HasSubstr("cross itself, in 18")));
 }
 
+TEST(Lattice, JoinsPartsThatOverlapInWholeCells) {
+  const TriangleMesh cube = shapes::cube();
+  const TriangleMesh overlapping = bodies::together(cube, bodies::placed(cube, {0.5, 0, 0}));
+  const LatticeReport report = makeLattice(overlapping, {.cellSize = 0.25}).report;
+  EXPECT_EQ(report.bodies, 1) << "no cell is cut, and none holds both surfaces";
+  EXPECT_EQ(report.elements, 96);
+  EXPECT_DOUBLE_EQ(report.filledVolume, 1.5);
+}
+
+TEST(LatticeGrid, FindsTheCellOfAPlaceOnItsFacesToo) {
+  const LatticeGrid grid{Vector3d(1, 2, 3), 0.5, {4, 3, 2}};
+  for (int number = 0; number < grid.cellCount(); ++number)
+    EXPECT_EQ(grid.cellNumber(grid.cellOf(number)), number);
+  const auto cellAround = [&](const Vector3d& x) { return grid.cellAround(x, [](int) { return true; }); };
+  EXPECT_EQ(cellAround({2.5, 1.5, 0.5}), grid.cellNumber({2, 1, 0}));
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double beyond : {1e-7, 1e-5}) {
+      const int expected = beyond < LatticeGrid::tolerance ? 0 : -1;
+      EXPECT_EQ(cellAround(-beyond * Vector3d::Unit(axis)), expected);
+      const Vector3d corner = grid.cells.cast<double>() + beyond * Vector3d::Unit(axis);
+      EXPECT_EQ(cellAround(corner), expected < 0 ? -1 : grid.cellCount() - 1);
+    }
+  const auto second = [](int number) { return number == 1; };
+  EXPECT_EQ(grid.cellAround({1, 0.5, 0.5}, second), 1) << "of the two that meet there";
+}
+
 TEST(Lattice, FillsManyPartsInEachOtherAsOne) {
   constexpr int shells = 3000;
   TriangleMesh nested;

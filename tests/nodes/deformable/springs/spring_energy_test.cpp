@@ -103,6 +103,9 @@ TEST(SpringEnergy, StoredIsThatOfSpringsAndGasAlone) {
   for (Eigen::Vector3d& p : twice) p *= 2;
   const double exact = 1e4 / 2 * squares - 100 * std::log(8.0);
   EXPECT_NEAR(storedEnergy(surface.model, surface.workspace, twice), exact, 1e-9 * exact);
+  surface.workspace.trial = twice;
+  EXPECT_NEAR(evaluateSprings(surface.model, surface.workspace).magnitude,
+              1e4 / 2 * squares + 100 * std::log(8.0), 1e-9 * exact);
   EXPECT_NEAR(storedEnergy(surface.model, surface.workspace, surface.model.rest), 0, 1e-9);
 }
 

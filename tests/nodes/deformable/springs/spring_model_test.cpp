@@ -35,6 +35,15 @@ TEST(SpringModel, HasASpringAnEdgeAsLongAsMeshed) {
     }
 }
 
+// p = K dV / V of a sphere under a small pressure.
+TEST(SpringModel, HoldsAVolumeAHundredTimesStifferThanItsSprings) {
+  ElasticSurface surface(geodesicSphere(6, 1), {{100}, {1}, 0}, PressureInterior{1e-2});
+  const SpringReport report = surface.solve({}, {}, {1e-10, 50, 500});
+  ASSERT_TRUE(report.converged);
+  const double K = 1e-2 / (report.volume / surface.model.restVolume - 1);
+  EXPECT_NEAR(surface.model.holdModulus / K, 100, 5);
+}
+
 TEST(SpringModel, RefusesMaterialOutOfRangeAndNamesIt) {
   const TriangleMesh mesh = geodesicSphere(1, 1);
   for (const double k : {0.0, -1.0, kNan, kInfinity})

@@ -90,5 +90,25 @@ TEST_F(SpringSystem, EveryNumberOfIterationsLeavesADescent) {
   }
 }
 
+// Nothing resists out of the plane of a flat surface that is not stretched.
+TEST(FlatSpringSystem, IsSolvedInItsPlaneAndLeftAloneOutOfIt) {
+  const TriangleMesh square{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
+  ElasticSurface surface(square, {{50}, {0.01}, 0});
+  SpringWorkspace& w = surface.workspace;
+  prepareForRest(surface.model, w);
+  w.trial = surface.model.rest;
+  for (Eigen::Vector3d& p : w.trial) p *= 0.9;
+  evaluateSprings(surface.model, w);
+  EXPECT_GT(solveSpringSystem(surface.model, w, 0, 0, 1e-9, 100), 0);
+  for (std::size_t i = 0; i < w.direction.size(); ++i) {
+    const Eigen::Vector3d toRest = surface.model.rest[i] - w.trial[i];
+    const Eigen::Vector3d along = w.direction[i] - w.direction[0];
+    EXPECT_LT((along - toRest).norm(), 1e-6) << "the springs are as long as at rest again";
+  }
+  std::fill(w.gradient.begin(), w.gradient.end(), Eigen::Vector3d::UnitZ());
+  solveSpringSystem(surface.model, w, 0, 0, 1e-9, 100);
+  for (const Eigen::Vector3d& d : w.direction) EXPECT_TRUE(d.isZero(0));
+}
+
 }  // namespace
 }  // namespace pleura
