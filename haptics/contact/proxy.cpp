@@ -86,7 +86,8 @@ void Proxy::rest(const Pull& pull) {
   contactCount_ = 0;
   bool held = pull.label >= 0 && space_.touches(pull.label);
   const Vector3d place = held ? Vector3d(device_ - pull.height * space_.plane(pull.label).normal) : device_;
-  for (const auto& [label, normal, depth] : space_.alongTouched(place).active()) {
+  const HalfSpaceProjection touching = space_.alongTouched(place);
+  for (const auto& [label, normal, depth] : touching.active()) {
     if (depth <= 0) continue;
     addContact(label, label == pull.label ? depth - pull.height : depth);
     if (label == pull.label) held = false;
