@@ -209,8 +209,8 @@ double Neighbourhood::gather(std::span<const TouchShape> shapes, const Vector3d&
   if (valid_ && (position - centre_).norm() + reach <= reach_) return reach;
   // the next ticks find theirs here too, unless the shapes move on
   const double slack = moving_ ? radius / 2 : radius;
-  Vector3d lead = Vector3d::Zero();
-  if (valid_) lead = kLead * slack * (position - centre_).normalized();
+  Vector3d lead = Vector3d::Zero();  // none on a long way, of which all that is gathered is needed
+  if (valid_ && reach <= always) lead = kLead * slack * (position - centre_).normalized();
   double room = std::min(reach, always) + slack;
   for (int k = 0; !collect(shapes, position, radius, room, k == kMaxHalvings, lead); ++k) {
     room = radius + (room - radius) / 2;
@@ -225,7 +225,7 @@ double Neighbourhood::gather(std::span<const TouchShape> shapes, const Vector3d&
     room = wider;
   }
   valid_ = true;
-  return std::min(reach, room - lead.norm());
+  return std::min(reach, room);
 }
 
 void Neighbourhood::moveTo(const Vector3d& position) {
