@@ -170,7 +170,7 @@ void memory(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(SFFloat());
   state.counters["bytes_SFFloat"] = sizeof(SFFloat);
   state.counters["bytes_MFVec3f"] = sizeof(MFVec3f);
-  state.counters["bytes_per_route"] = 2 * sizeof(Field*);
+  state.counters["bytes_per_route"] = 2 * sizeof(void*);
 }
 BENCHMARK(memory);
 

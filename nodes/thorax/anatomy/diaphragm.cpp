@@ -37,6 +37,7 @@ Abdomen measuredAbdomen(const DiaphragmShape& shape) {
   Abdomen abdomen;
   auto& points = abdomen.mesh.points;
   std::vector<std::array<Vector3d, DiaphragmShape::kKnots>> meridians;
+  meridians.reserve(kMeridians);
   for (int k = 0; k < kMeridians; ++k)
     meridians.push_back(shape.meridian(2.0 * std::numbers::pi * k / kMeridians));
   points.push_back(meridians.front().front().cast<float>());

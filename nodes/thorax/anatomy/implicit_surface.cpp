@@ -42,7 +42,8 @@ class Grid {
   Vector3d at(const Vector3i& node) const { return origin_ + spacing_ * node.cast<double>(); }
   double value(const Vector3i& node) const { return values_[index(node)]; }
   std::size_t index(const Vector3i& node) const {
-    return static_cast<std::size_t>(node.x() + nodes_.x() * (node.y() + nodes_.y() * node.z()));
+    const std::size_t rowsBefore = static_cast<std::size_t>(node.z()) * nodes_.y() + node.y();
+    return rowsBefore * nodes_.x() + node.x();
   }
   std::size_t size() const { return values_.size(); }
 

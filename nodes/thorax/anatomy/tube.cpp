@@ -94,6 +94,7 @@ TubeSection Tube::at(double arcLength) const {
 
 std::vector<Vector3d> Tube::centreline(int samples) const {
   std::vector<Vector3d> points;
+  points.reserve(static_cast<std::size_t>(samples));
   for (int k = 0; k < samples; ++k) points.push_back(at(length() * k / (samples - 1)).centre);
   return points;
 }
