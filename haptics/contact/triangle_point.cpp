@@ -69,19 +69,4 @@ TrianglePoint nearestOnTriangle(const Corners& corners, const Vector3d& p) {
   return {a + weights[1] * ab + weights[2] * ac, weights};
 }
 
-TriangleBall ballAbout(const Corners& corners) {
-  const Vector3d a = corners.col(0), b = corners.col(1), c = corners.col(2);
-  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
-  const double longest = std::max({ab, bc, ca});
-  const double others = ab + bc + ca - longest;
-  // a right or obtuse corner is in the ball about the edge opposite
-  if (others <= longest) {
-    const Vector3d centre = longest == ab ? (a + b) / 2 : longest == bc ? (b + c) / 2 : (c + a) / 2;
-    return {centre, std::sqrt(longest) / 2};
-  }
-  // two thirds of the longest median, which goes to the shortest edge
-  const double shortest = std::min({ab, bc, ca});
-  return {(a + b + c) / 3, std::sqrt(2 * (ab + bc + ca) - 3 * shortest) / 3};
-}
-
 }  // namespace pleura::haptics

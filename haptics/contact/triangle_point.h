@@ -18,12 +18,4 @@ struct TrianglePoint {
 /// area counts as its edges.
 TrianglePoint nearestOnTriangle(const Corners& corners, const Eigen::Vector3d& p);
 
-/// A small ball that a triangle is in: about its longest edge where the corner opposite is near enough, else
-/// about its centroid.
-struct TriangleBall {
-  Eigen::Vector3d centre;
-  double radius;
-};
-TriangleBall ballAbout(const Corners& corners);
-
 }  // namespace pleura::haptics

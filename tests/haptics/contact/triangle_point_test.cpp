@@ -46,15 +46,5 @@ TEST(TrianglePoint, IsTheNearestOfTrianglesWithoutArea) {
   }
 }
 
-TEST(TriangleBall, HoldsTheCorners) {
-  std::mt19937 random(3);
-  for (int i = 0; i < 2000; ++i) {
-    const Corners corners = randomTriangle(random);
-    const TriangleBall ball = ballAbout(corners);
-    const double farthest = (corners.colwise() - ball.centre).colwise().norm().maxCoeff();
-    EXPECT_NEAR(ball.radius, farthest, 1e-12);
-  }
-}
-
 }  // namespace
 }  // namespace pleura::haptics
