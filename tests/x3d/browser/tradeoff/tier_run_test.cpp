@@ -50,7 +50,9 @@ TEST_F(TierRunTest, ATierTakesTheDrivenPointsWhereTheyAreAskedAndTellsItsCost) {
   EXPECT_GT(linear.figures.median, 0);
   EXPECT_GE(linear.figures.p99, linear.figures.median);
   EXPECT_GT(linear.figures.setUp, 0);
+#ifndef __SANITIZE_ADDRESS__  // its allocator tells nothing
   EXPECT_GT(linear.figures.memory, 1e5);
+#endif
   EXPECT_EQ(told, (std::vector<double>{0.5, 1}));
 }
 
