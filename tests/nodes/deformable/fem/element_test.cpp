@@ -74,7 +74,10 @@ TEST(Element, BadMeshesAndMaterialsAreRefused) {
   };
   refuses([](SolidMesh& mesh) { mesh = {}; });
   refuses([](SolidMesh& mesh) { mesh.elements.pop_back(); });
-  refuses([](SolidMesh& mesh) { mesh.elements.assign(4 * (kMostElements + 1), 8); });
+  refuses([](SolidMesh& mesh) {
+    mesh.elements.resize(4 * (kMostElements + 1));
+    for (std::size_t k = 4; k < mesh.elements.size(); ++k) mesh.elements[k] = mesh.elements[k - 4];
+  });
   refuses([](SolidMesh& mesh) { mesh.elements[3] = 8; });
   refuses([](SolidMesh& mesh) { mesh.elements[3] = -1; });
   refuses([](SolidMesh& mesh) { mesh.nodesPerElement = 5; });
