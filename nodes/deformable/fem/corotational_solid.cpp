@@ -7,7 +7,6 @@
 #include <pleura/nodes/deformable/fem/rotation.h>
 
 namespace pleura {
-namespace {}  // namespace
 
 CorotationalSolid::CorotationalSolid(const SolidMesh& mesh, const SolidMaterial& material,
                                      const SolidConstraints& constraints, const CorotationalOptions& options)

@@ -63,9 +63,9 @@ class Comparison {
   }
 
   const FigureTable& run() {
-    for (const OrganBreath& breath : breaths_) {
-      const auto number = &breath - breaths_.data();
-      const Shapes reference = referenceOf(breath, options_.output / fmt::format("reference_{}.bin", number));
+    for (std::size_t k = 0; k < breaths_.size(); ++k) {
+      const OrganBreath& breath = breaths_[k];
+      const Shapes reference = referenceOf(breath, options_.output / fmt::format("reference_{}.bin", k));
       for (const auto& tier : deformationTiers(options_.elements)) measure(breath, tier, reference);
     }
     return table_;

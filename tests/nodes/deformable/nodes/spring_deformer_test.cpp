@@ -1,5 +1,6 @@
 #include <functional>
 
+#include "pressure_at_rest.h"
 #include <gtest/gtest.h>
 
 #include <pleura/nodes/deformable/mesh/measures.h>
@@ -57,15 +58,8 @@ TEST_F(SpringDeformerTest, ABallUnderPressureSwellsAsItsEnergySays) {
 }
 
 TEST_F(SpringDeformerTest, OnlyPressureAboveThatAtRestCounts) {
-  const auto deformer = springs("PRESSURE");
-  deformer->restPressure.setValue(500);
-  deformer->pressure.setValue(500);
-  EXPECT_NEAR(volumeOf(*deformer), restVolume, 1e-6 * restVolume);
-  deformer->pressure.setValue(550);
-  const double above = volumeOf(*deformer);
-  deformer->restPressure.setValue(0);
-  deformer->pressure.setValue(50);
-  EXPECT_DOUBLE_EQ(volumeOf(*deformer), above);
+  expectOnlyPressureAboveThatAtRestCounts(*springs("PRESSURE"), restVolume,
+                                          [this](auto& deformer) { return volumeOf(deformer); });
 }
 
 TEST_F(SpringDeformerTest, AGasIsInBalanceWithWhatIsOutsideAtRest) {
