@@ -26,7 +26,7 @@ struct Tier {
 
 template <class T>
 std::shared_ptr<DeformerNode> withFields(TestContext& context,
-                                         std::vector<std::array<const char*, 2>> fields) {
+                                         const std::vector<std::array<const char*, 2>>& fields) {
   return context.make<T>([&](T& node) {
     for (const auto& [field, text] : fields) node.getField(field)->setValueFromString(text);
   });

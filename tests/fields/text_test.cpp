@@ -45,7 +45,7 @@ class RandomValue {
     value.width = static_cast<int>(below(4));
     value.height = static_cast<int>(below(4));
     value.components = static_cast<int>(below(5));
-    value.pixels.resize(static_cast<std::size_t>(value.width * value.height));
+    value.pixels.resize(static_cast<std::size_t>(value.width) * value.height);
     for (auto& pixel : value.pixels) pixel = static_cast<std::uint32_t>(random_());
   }
   void make(NodePtr& value) { value = nullptr; }

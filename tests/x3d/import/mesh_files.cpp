@@ -83,7 +83,7 @@ std::filesystem::path exportedAt(const TriangleMesh& mesh, const Eigen::Vector3f
   for (std::size_t i = 0; i < exporter.GetExportFormatCount(); ++i) {
     const aiExportFormatDesc* known = exporter.GetExportFormatDescription(i);
     if (format != known->id) continue;
-    const auto path = folder.path() / (format + "." + known->fileExtension);
+    auto path = folder.path() / (format + "." + known->fileExtension);
     if (exporter.Export(&scene, format, path.string()) == AI_SUCCESS) return path;
   }
   throw std::runtime_error(format + ": " + exporter.GetErrorString());

@@ -53,7 +53,7 @@ Bright brightOf(const Picture& picture) {
   Bright bright;
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
-      if ((picture.pixels[static_cast<std::size_t>(y * picture.width + x)] & 0xFF) > 0x80) {
+      if ((picture.pixels[static_cast<std::size_t>(y) * picture.width + x] & 0xFF) > 0x80) {
         ++bright.count;
         bright.x += x;
         bright.y += y;

@@ -17,7 +17,7 @@ TEST(TouchSession, ATouchIsToldByDeviceAndGeometry) {
   const auto scene = sceneOf(blockAndStylus(kSmooth, 0.005));
   Playback playback(*scene, {});
   playback.runUntil(0.5);
-  EXPECT_FALSE(valueOf<MFBool>(*scene, "BOX.isTouched").size() > 0) << "nobody touched it so far";
+  EXPECT_TRUE(valueOf<MFBool>(*scene, "BOX.isTouched").empty()) << "nobody touched it so far";
   EXPECT_EQ(valueOf<SFString>(*scene, "STYLUS.touched"), "");
   playback.runUntil(2);
   EXPECT_EQ(valueOf<SFString>(*scene, "STYLUS.touched"), "BLOCK");

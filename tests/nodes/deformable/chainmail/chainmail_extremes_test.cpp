@@ -207,6 +207,7 @@ TEST(ChainmailExtremes, TenThousandBreathsDoNotDrift) {
     return organ.positions;
   };
   std::vector<Points> first;
+  first.reserve(8);
   for (int step = 0; step < 8; ++step) first.push_back(breathe(step));
   EXPECT_NE(first[0], first[4]);
   for (int step = 8; step < 80000; ++step)

@@ -175,8 +175,9 @@ TEST(Repair, TakesOutFoldsWithoutThicknessButKeepsATwoSidedSheet) {
   EXPECT_EQ(folded.triangles, shapes::sphere(12).triangles);
 
   TriangleMesh sheet;
-  for (int i = 0; i < 9; ++i)
-    sheet.points.emplace_back(static_cast<float>(i / 3), static_cast<float>(i % 3), 0.f);
+  for (int row = 0; row < 3; ++row)
+    for (int k = 0; k < 3; ++k)
+      sheet.points.emplace_back(static_cast<float>(row), static_cast<float>(k), 0.f);
   for (const int i : {0, 1, 3, 4})
     for (const Vector3i& t : {Vector3i(i, i + 3, i + 1), Vector3i(i + 1, i + 3, i + 4)})
       sheet.triangles.push_back(t);

@@ -38,12 +38,12 @@ TEST(CondensedLung, IsAsStiffAsTheWholeAndSwingsAsSlowly) {
   const LungMesh mesh = makeHemithorax({}).lung;
   const CondensedLung lung(mesh, {}, kThickness);
   // the whole mesh, its held points cut out
-  const Index first = 2 * (mesh.heldCount + 1);
+  const Index first = Index{2} * (mesh.heldCount + 1);
   const MatrixXd k = stiffnessMatrix(mesh, {}, kThickness);
   const MatrixXd m = massMatrix(mesh, {}, kThickness);
   std::vector<Index> free;
   for (Index i = first; i < k.rows(); ++i)
-    if (i < first + lung.size() || i >= 2 * mesh.outlineCount) free.push_back(i);
+    if (i < first + lung.size() || i >= Index{2} * mesh.outlineCount) free.push_back(i);
   const MatrixXd k_free = k(free, free);
   const MatrixXd m_free = m(free, free);
   VectorXd load = VectorXd::Zero(k_free.rows());

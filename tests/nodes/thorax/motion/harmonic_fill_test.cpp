@@ -54,7 +54,7 @@ TEST(HarmonicFill, StaysBetweenTheSmallestAndLargestDriven) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> uniform(-0.03f, 0.07f);
   HarmonicFill fill(sheet(), border());
-  std::vector<Eigen::Vector4f> displacement(kSide * kSide, Eigen::Vector4f::Zero());
+  std::vector<Eigen::Vector4f> displacement(std::size_t{kSide} * kSide, Eigen::Vector4f::Zero());
   for (const int i : border()) displacement[static_cast<std::size_t>(i)].setConstant(uniform(random));
   fill.fill(displacement);
   for (const Eigen::Vector4f& d : displacement) {

@@ -26,7 +26,7 @@ TEST(Laziness, WhatIsSeenIsSolvedOnceATick) {
   const auto withoutLungs = breathingThorax();
   withoutLungs->set("LUNG_L.visible=false");
   withoutLungs->set("LUNG_R.visible=false");
-  EXPECT_EQ(solvesOfTenTicks(*all), solvesOfTenTicks(*withoutLungs) + 2 * 10);
+  EXPECT_EQ(solvesOfTenTicks(*all), solvesOfTenTicks(*withoutLungs) + std::size_t{2} * 10);
 }
 
 TEST(Laziness, AHiddenThoraxSolvesNothing) {
