@@ -150,4 +150,15 @@ HalfSpaceProjection ClearSpace::project(const Vector3d& target, double farthest)
   return HalfSpaceProjection(position_);
 }
 
+Vector3d ClearSpace::nearestTouch(const Vector3d& target) const {
+  const Plane* nearest = nullptr;
+  for (int label = 0; label < count_; ++label) {
+    const Plane& plane = planes_[label];
+    const bool keeps = plane.normal.dot(target) < plane.offset;
+    if (keeps && (nearest == nullptr || plane.gap < nearest->gap)) nearest = &plane;
+  }
+  if (nearest == nullptr) return position_;
+  return nearestTo(position_ - nearest->gap * nearest->normal).point();
+}
+
 }  // namespace pleura::haptics

@@ -39,6 +39,10 @@ class ClearSpace {
   /// The same with nothing in the way but what the ball touches.
   HalfSpaceProjection alongTouched(const Eigen::Vector3d& target) const { return project(target, kTouch); }
 
+  /// The nearest place where the ball touches something that keeps it from the target; where it is if nothing
+  /// does that was looked at.
+  Eigen::Vector3d nearestTouch(const Eigen::Vector3d& target) const;
+
   int count() const { return count_; }
   const Plane& plane(int label) const { return planes_[label]; }
   const Neighbourhood::Shape& shape(int label) const { return shapeOf(planes_[label].triangle); }

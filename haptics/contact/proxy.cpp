@@ -109,29 +109,40 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   device_ = device;
   near_.advance(shapes, position_);
   position_ = carried();
-  Vector3d anchor = position_, drag = Vector3d::Zero();
-  bool moved = false;
-  for (int steps = 0, leaps = 0;;) {
+  const auto lookAbout = [&] {
     const double reach = near_.gather(shapes, position_, radius_, always, radius_ + stride);
     space_.look(near_, position_, radius_, reach);
-    const Pull held = pullOn(device, drag);
+  };
+  const auto goTo = [&](const Vector3d& place) {
+    position_ = place;
+    near_.moveTo(position_);
+    lookAbout();
+  };
+  Vector3d anchor = position_, drag = Vector3d::Zero();
+  bool moved = false;
+  lookAbout();
+  Pull held = pullOn(device, drag);
+  for (int steps = 0, leaps = 0;;) {
     const Vector3d wanted = stepTo(held, anchor, drag);
     const double length = (wanted - position_).norm();
-    if (length < kStill || steps == kMaxSteps || leaps == kMaxLeaps) {
-      rest(held);
-      break;
-    }
+    if (length < kStill) break;
     moved = true;
-    if (length > space_.range()) {
-      position_ += space_.range() / length * (wanted - position_);
+    const bool isLast = steps == kMaxSteps || leaps == kMaxLeaps;
+    if (isLast) {
+      // what it went along bends away under it; a ball that touched something goes on to touch it
+      if (!contacts().empty()) goTo(space_.nearestTouch(held.place - drag));
+    } else if (length > space_.range()) {
       stride = 2 * stride;
       ++leaps;
+      goTo(position_ + space_.range() / length * (wanted - position_));
     } else {
-      position_ = wanted;
       ++steps;
+      goTo(wanted);
     }
-    near_.moveTo(position_);
+    held = pullOn(device, drag);
+    if (isLast) break;
   }
+  rest(held);
   slides_ = moved && drag != Vector3d::Zero();
   near_.settle(position_, radius_);
 }

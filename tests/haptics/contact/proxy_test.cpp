@@ -98,6 +98,24 @@ TEST(Proxy, NeverLosesASurfaceThatGrowsOrShrinks) {
   }
 }
 
+/// So far in one tick that the steps of the ball are used up on its way around.
+TEST(Proxy, NeverLosesASurfaceThatTheDeviceJumpsAboutIn) {
+  for (const double friction : {0.0, 0.4}) {
+    Touchable sphere(surfaces::sphere(300, 250, surfaces::bumpyRadius));
+    sphere.shape.surface.staticFriction = sphere.shape.surface.dynamicFriction = friction;
+    std::mt19937 random(1);
+    Vector3d direction = Vector3d::UnitZ();
+    Proxy proxy(radius);
+    proxy.reset(0.06 * direction);
+    for (int jump = 0; jump < 400; ++jump) {
+      follow(proxy, sphere, 0.047 * direction);
+      ASSERT_FALSE(proxy.contacts().empty()) << jump << ", friction " << friction;
+      EXPECT_GT(proxy.position().norm(), surfaces::bumpyRadius(proxy.position().normalized()));
+      direction = (direction + surfaces::randomPoint(random, 0.8)).normalized();
+    }
+  }
+}
+
 void settle(Proxy& proxy, const Touchable& touchable, const Vector3d& device) {
   for (int k = 0; k < 20; ++k) follow(proxy, touchable, device);
 }

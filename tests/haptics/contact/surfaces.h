@@ -50,6 +50,11 @@ inline Surface sphere(int slices, int stacks, double radius) {
   return sphere(slices, stacks, [radius](const Vector3d&) { return radius; });
 }
 
+/// [m] of a sphere of 5 cm with bumps of 1 mm.
+inline double bumpyRadius(const Vector3d& d) {
+  return 0.05 + 0.001 * std::sin(9 * d.x()) * std::cos(11 * d.y()) * std::sin(7 * d.z() + 1);
+}
+
 /// A box about the origin, facing outwards; each side of n x n squares of two triangles.
 inline Surface box(const Vector3d& halfSize, int n = 1) {
   Surface surface;
