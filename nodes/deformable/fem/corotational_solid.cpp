@@ -18,7 +18,7 @@ CorotationalSolid::CorotationalSolid(const SolidMesh& mesh, const SolidMaterial&
   if (options.linearIterations < 1 || !std::isfinite(options.linearTolerance) || options.linearTolerance <= 0)
     throw std::invalid_argument(
         "solid: linear iterations below 1, or a linear tolerance that is not positive");
-  for (NodeVectors* x : {&r_, &z_, &p_, &_Ap}) x->assign(body_.rest.size(), Eigen::Vector3d::Zero());
+  for (NodeVectors* x : {&r_, &z_, &p_, &Ap_}) x->assign(body_.rest.size(), Eigen::Vector3d::Zero());
   start();
 }
 
@@ -123,14 +123,14 @@ bool CorotationalSolid::solve(const BlockValues& A, const NodeVectors& b, NodeVe
   std::copy(z_.begin(), z_.end(), p_.begin());
   double rz = flat(r_).dot(flat(z_));
   for (int i = 0; i < options_.linearIterations; ++i) {
-    multiply(body_.pattern, A, p_, _Ap);
-    for (const auto& c : body_.couplings) _Ap[c.fixed].setZero();
+    multiply(body_.pattern, A, p_, Ap_);
+    for (const auto& c : body_.couplings) Ap_[c.fixed].setZero();
     ++iterations;
-    const double curvature = flat(p_).dot(flat(_Ap));
+    const double curvature = flat(p_).dot(flat(Ap_));
     if (curvature <= 0) break;  // rounding, the tangent being semidefinite
     const double step = rz / curvature;
     flat(d) += step * flat(p_);
-    flat(r_) -= step * flat(_Ap);
+    flat(r_) -= step * flat(Ap_);
     if (flat(r_).norm() <= enough) break;
     precondition(r_, z_);
     const double before = rz;

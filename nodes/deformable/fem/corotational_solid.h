@@ -32,7 +32,7 @@ class CorotationalSolid : public NewtonSolid {
   std::vector<Eigen::Matrix3d> rotation_;      // [point]
   std::vector<Eigen::Matrix3d> nodeRotation_;  // [node]
   BlockCholesky factor_;
-  NodeVectors r_, z_, p_, _Ap;  // of the conjugate gradients
+  NodeVectors r_, z_, p_, Ap_;  // of the conjugate gradients
 };
 
 }  // namespace pleura

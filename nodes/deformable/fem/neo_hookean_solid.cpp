@@ -55,7 +55,7 @@ std::array<Mode, 9> modesOf(const Eigen::Matrix3d& F, double da, double dda, dou
 NeoHookeanSolid::NeoHookeanSolid(const SolidMesh& mesh, const SolidMaterial& material,
                                  const SolidConstraints& constraints, const NewtonOptions& options)
     : NewtonSolid(makeSolidBody(mesh, material, constraints), options),
-      _F(body_.elements.weight.size(), Eigen::Matrix3d::Identity()),
+      F_(body_.elements.weight.size(), Eigen::Matrix3d::Identity()),
       meanJacobian_(body_.elements.count(), 1),
       factor_(body_.pattern, body_.unknowns) {
   start();
@@ -73,7 +73,7 @@ double NeoHookeanSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
     double volume = 0, mean = 0;
     for (int q = e * points; q < (e + 1) * points; ++q) {
       const Eigen::Vector3d* g = elements.gradientsAt(q);
-      Eigen::Matrix3d& F = _F[q];
+      Eigen::Matrix3d& F = F_[q];
       F.setZero();
       for (int a = 1; a < n; ++a) F += (x[node[a]] - x[node[0]]) * g[a].transpose();
       volume += elements.weight[q];
@@ -84,7 +84,7 @@ double NeoHookeanSolid::evaluate(const NodeVectors& x, NodeVectors& forces) {
     energy += volume * 0.5 * kappa * (mean - 1) * (mean - 1);
     for (int q = e * points; q < (e + 1) * points; ++q) {
       const Eigen::Vector3d* g = elements.gradientsAt(q);
-      const Eigen::Matrix3d& F = _F[q];
+      const Eigen::Matrix3d& F = F_[q];
       const double w = elements.weight[q], I = F.squaredNorm(), J = determinant(F);
       energy += w * mu * (2. / 3 * (I - 3 - std::log((I + 1) / 4)) - (J - 1) + (J - 1) * (J - 1) / 12);
       const Eigen::Matrix3d P =
@@ -113,7 +113,7 @@ void NeoHookeanSolid::assemble(BlockValues& K) {
     double volume = 0;
     for (int q = e * points; q < (e + 1) * points; ++q) {
       const Eigen::Vector3d* g = elements.gradientsAt(q);
-      const Eigen::Matrix3d& F = _F[q];
+      const Eigen::Matrix3d& F = F_[q];
       const double w = elements.weight[q], I = F.squaredNorm(), J = determinant(F);
       const double da = 2. / 3 * mu * (I / (I + 1)), dda = 2. / 3 * mu / ((I + 1) * (I + 1));
       const double db = mu * ((J - 1) / 6 - 1) + kappa * (meanJacobian_[e] - 1), ddb = mu / 6;

@@ -22,7 +22,7 @@ class NeoHookeanSolid : public NewtonSolid {
   bool prepare(double) override { return true; }
   bool solve(const BlockValues& A, const NodeVectors& b, NodeVectors& d, int& iterations) override;
 
-  std::vector<Eigen::Matrix3d> _F;    // [point]
+  std::vector<Eigen::Matrix3d> F_;    // [point]
   std::vector<double> meanJacobian_;  // [element]
   BlockCholesky factor_;
 };
