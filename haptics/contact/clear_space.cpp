@@ -36,13 +36,13 @@ void ClearSpace::look(Neighbourhood& near, const Vector3d& position, double radi
     if (!shape.felt) continue;
     Plane screen;
     if (shape.likely >= 0) {
-      screen = planeThrough(nearestOnTriangle(triangle(shape.likely).corners, shape.view), shape.likely);
+      screen = planeThrough(shape, shape.likely);
       if (std::abs(screen.gap) <= kTouch && keep(screen)) screens_[k] = shape.likely;
     }
     const double farthest = reach + (shape.view - position).norm();
     const auto add = [&](int index) {
-      const TrianglePoint on = nearestOnTriangle(triangle(index).corners, shape.view);
-      if ((shape.view - on.point).squaredNorm() <= farthest * farthest) keep(planeThrough(on, index));
+      const Plane plane = planeThrough(shape, index);
+      if (plane.gap <= farthest - radius_) keep(plane);
     };
     if (screens_[k] < 0)
       near.visitWithin(shape, shape.view, farthest, add);
@@ -69,8 +69,9 @@ void ClearSpace::tellNearest(Neighbourhood& near) {
   }
 }
 
-ClearSpace::Plane ClearSpace::planeThrough(const TrianglePoint& on, int index) const {
-  const Neighbourhood::Shape& shape = shapeOf(index);
+/// Of the triangle's point nearest to the ball.
+ClearSpace::Plane ClearSpace::planeThrough(const Neighbourhood::Shape& shape, int index) const {
+  const TrianglePoint on = nearestOnTriangle(triangle(index).corners, shape.view);
   const Vector3d way = shape.view - on.point;
   const double distance = way.norm();
   const Vector3d normal = distance > kOnSurface

@@ -30,16 +30,19 @@ class FourTriangles {
     float offset;  // [m]
   };
 
-  /// Puts a triangle at 0..3.
+  /// Puts a triangle at 0..3; bound() is called when they are there.
   void set(int at, const Corners& corners) {
-    const Eigen::Vector3d low = corners.rowwise().minCoeff(), high = corners.rowwise().maxCoeff();
-    const double rounding = kRounding * low.cwiseAbs().cwiseMax(high.cwiseAbs()).norm();
-    for (int axis = 0; axis < 3; ++axis) {
-      low_(at, axis) = static_cast<float>(low[axis] - rounding);
-      high_(at, axis) = static_cast<float>(high[axis] + rounding);
+    for (int axis = 0; axis < 3; ++axis)
       for (int k = 0; k < 3; ++k) corners_[k](at, axis) = static_cast<float>(corners(axis, k));
-    }
-    rounding_[at] = static_cast<float>(rounding);
+  }
+
+  void bound() {
+    low_ = corners_[0].min(corners_[1]).min(corners_[2]);
+    high_ = corners_[0].max(corners_[1]).max(corners_[2]);
+    const Places size = low_.abs().max(high_.abs());
+    rounding_ = static_cast<float>(kRounding) * (size.col(0) + size.col(1) + size.col(2));
+    low_.colwise() -= rounding_;
+    high_.colwise() += rounding_;
   }
 
   /// > 0 only where no place of the triangle is in the ball.

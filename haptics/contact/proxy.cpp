@@ -81,12 +81,16 @@ void Proxy::addContact(int label, double depth) {
       depth,        shape.now.surface};
 }
 
-/// The contacts of the ball where it is.
-void Proxy::rest(const Pull& pull) {
+/// The contacts of the ball where it is; `free` is the projection of the pull's place.
+void Proxy::rest(const Pull& pull, const HalfSpaceProjection& free) {
   contactCount_ = 0;
   bool held = pull.label >= 0 && space_.touches(pull.label);
   const Vector3d place = held ? Vector3d(device_ - pull.height * space_.plane(pull.label).normal) : device_;
-  const HalfSpaceProjection touched = space_.alongTouched(place);
+  const auto isTouched = [this](const HalfSpaceProjection::Active& active) {
+    return space_.touches(active.label);
+  };
+  const bool isThere = place == pull.place && std::ranges::all_of(free.active(), isTouched);
+  const HalfSpaceProjection touched = isThere ? free : space_.alongTouched(place);
   for (const auto& [label, normal, depth] : touched.active()) {
     if (depth <= 0) continue;
     addContact(label, label == pull.label ? depth - pull.height : depth);
@@ -122,8 +126,9 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   bool moved = false;
   lookAbout();
   Pull held = pullOn(device, drag);
+  HalfSpaceProjection free = space_.nearestTo(held.place);
   for (int steps = 0, leaps = 0;;) {
-    const Vector3d wanted = stepTo(held, anchor, drag);
+    const Vector3d wanted = stepTo(held, free, anchor, drag);
     const double length = (wanted - position_).norm();
     if (length < kStill) break;
     moved = true;
@@ -140,16 +145,17 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
       goTo(wanted);
     }
     held = pullOn(device, drag);
+    free = space_.nearestTo(held.place);
     if (isLast) break;
   }
-  rest(held);
+  rest(held, free);
   slides_ = moved && drag != Vector3d::Zero();
   near_.settle(position_, radius_);
 }
 
 /// Where friction and all that is near let the ball go from where it is.
-Vector3d Proxy::stepTo(const Pull& pull, Vector3d& anchor, Vector3d& drag) const {
-  const HalfSpaceProjection free = space_.nearestTo(pull.place);
+Vector3d Proxy::stepTo(const Pull& pull, const HalfSpaceProjection& free, Vector3d& anchor,
+                       Vector3d& drag) const {
   const auto isRough = [this](const HalfSpaceProjection::Active& active) {
     return surface(active.label).staticFriction > 0;
   };

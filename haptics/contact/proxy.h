@@ -66,8 +66,9 @@ class Proxy {
   };
 
   Pull pullOn(const Eigen::Vector3d& device, const Eigen::Vector3d& drag) const;
-  Eigen::Vector3d stepTo(const Pull& pull, Eigen::Vector3d& anchor, Eigen::Vector3d& drag) const;
-  void rest(const Pull& pull);
+  Eigen::Vector3d stepTo(const Pull& pull, const HalfSpaceProjection& free, Eigen::Vector3d& anchor,
+                         Eigen::Vector3d& drag) const;
+  void rest(const Pull& pull, const HalfSpaceProjection& free);
   void addContact(int label, double depth);
   const TouchSurface& surface(int label) const;
 

@@ -21,6 +21,7 @@ void visitRandomFours(Visit visit) {
         corners[k].col(c) = place + surfaces::randomPoint(random, std::pow(10.0, -(i % 7)));
       four.set(k, corners[k]);
     }
+    four.bound();
     visit(four, corners, surfaces::randomPoint(random, 1));
   }
 }

@@ -38,6 +38,18 @@ TEST_F(TierRunTest, EveryOrganThatContactsHoldIsRecorded) {
   EXPECT_THAT(organs, UnorderedElementsAre("LUNG_L", "LUNG_R", "DIAPHRAGM"));
 }
 
+TEST(OrganBreath, AnOrganThatTwoContactsHoldIsRecordedOnce) {
+  const std::string held = "<DeformableShape2 USE='LUNG' containerField='organ'/></LungContacts>";
+  const auto scene = sceneOf(
+      "<ImportLibrary library='\"thorax\"'/><DeformableShape2 DEF='LUNG' origCoord='0 0 0 1 0 0 0 1 0'>"
+      "<IndexedTriangleSet index='0 1 2'><Coordinate point='0 0 0 1 0 0 0 1 0'/></IndexedTriangleSet>"
+      "</DeformableShape2><LungContacts DEF='FIRST'>" +
+      held + "<LungContacts DEF='SECOND'>" + held);
+  const std::vector<OrganBreath> breaths = recordBreath(*scene, 1, 1);
+  ASSERT_EQ(breaths.size(), 1u);
+  EXPECT_EQ(breaths[0].organ, "LUNG");
+}
+
 TEST_F(TierRunTest, ATierTakesTheDrivenPointsWhereTheyAreAskedAndTellsItsCost) {
   const TierRun linear = run(tierOf("linear FEM", 60));
   const OrganBreath& lung = *std::find_if(breaths.begin(), breaths.end(),
