@@ -14,7 +14,7 @@ namespace {
 /// The share of its radius by which the ball may overlap a shape and still be felt to touch it.
 constexpr double kOverlap = 0.01;
 
-/// So few triangles let a long way be looked at in one go, and what is gathered serve for long.
+/// So few triangles let a long way be looked at in one go.
 constexpr int kFew = 16;
 
 /// The share of what is gathered on top that lies ahead, the way the ball went since the last time.
@@ -209,7 +209,7 @@ double Neighbourhood::gather(std::span<const TouchShape> shapes, const Vector3d&
                              double always, double reach) {
   if (valid_ && (position - centre_).norm() + reach <= reach_) return reach;
   // the next ticks find theirs here too, unless the shapes move on
-  const double slack = moving_ || count_ > 2 * kFew ? radius / 2 : radius;
+  const double slack = moving_ ? radius / 2 : radius;
   Vector3d lead = Vector3d::Zero();  // none on a long way, of which all that is gathered is needed
   if (valid_ && reach <= always) lead = kLead * slack * (position - centre_).normalized();
   double room = std::min(reach, always) + slack;
