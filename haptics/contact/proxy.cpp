@@ -135,7 +135,7 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
     const bool isLast = steps == kMaxSteps || leaps == kMaxLeaps;
     if (isLast) {
       // what it went along bends away under it; a ball that touched something goes on to touch it
-      if (!contacts().empty()) goTo(space_.nearestTouch(held.place - drag));
+      if (!contacts().empty()) goTo(space_.nearestTouch(pullOn(device, drag).place));
     } else if (length > space_.range()) {
       stride = 2 * stride;
       ++leaps;
