@@ -113,42 +113,34 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   device_ = device;
   near_.advance(shapes, position_);
   position_ = carried();
-  const auto lookAbout = [&] {
+  Vector3d anchor = position_, drag = Vector3d::Zero();
+  bool moved = false, isSpent = false;
+  for (int steps = 0, leaps = 0;;) {
     const double reach = near_.gather(shapes, position_, radius_, always, radius_ + stride);
     space_.look(near_, position_, radius_, reach);
-  };
-  const auto goTo = [&](const Vector3d& place) {
-    position_ = place;
-    near_.moveTo(position_);
-    lookAbout();
-  };
-  Vector3d anchor = position_, drag = Vector3d::Zero();
-  bool moved = false;
-  lookAbout();
-  Pull held = pullOn(device, drag);
-  HalfSpaceProjection free = space_.nearestTo(held.place);
-  for (int steps = 0, leaps = 0;;) {
+    const Pull held = pullOn(device, drag);
+    const HalfSpaceProjection free = space_.nearestTo(held.place);
     const Vector3d wanted = stepTo(held, free, anchor, drag);
     const double length = (wanted - position_).norm();
-    if (length < kStill) break;
+    if (length < kStill || isSpent) {
+      rest(held, free);
+      break;
+    }
     moved = true;
-    const bool isLast = steps == kMaxSteps || leaps == kMaxLeaps;
-    if (isLast) {
+    isSpent = steps == kMaxSteps || leaps == kMaxLeaps;
+    if (isSpent) {
       // what it went along bends away under it; a ball that touched something goes on to touch it
-      if (!contacts().empty()) goTo(space_.nearestTouch(pullOn(device, drag).place));
+      if (!contacts().empty()) position_ = space_.nearestTouch(pullOn(device, drag).place);
     } else if (length > space_.range()) {
+      position_ += space_.range() / length * (wanted - position_);
       stride = 2 * stride;
       ++leaps;
-      goTo(position_ + space_.range() / length * (wanted - position_));
     } else {
+      position_ = wanted;
       ++steps;
-      goTo(wanted);
     }
-    held = pullOn(device, drag);
-    free = space_.nearestTo(held.place);
-    if (isLast) break;
+    near_.moveTo(position_);
   }
-  rest(held, free);
   slides_ = moved && drag != Vector3d::Zero();
   near_.settle(position_, radius_);
 }
