@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kSlack = 1e-11;      // [m] by which a half-space may be missed
-constexpr double kCover = 1e-9;       // [m] by which a triangle may stick out of another's half-space
+constexpr double kCover = 2e-9;       // [m] by which a triangle may stick out of another's half-space
 constexpr double kOnSurface = 1e-12;  // [m] a nearer centre has no side
 constexpr int kMaxAdditions = 24;     // of half-spaces to an intersection
 constexpr int kMaxShrinks = 20;       // of the size of a ball that is squeezed
@@ -34,15 +34,13 @@ void ClearSpace::look(Neighbourhood& near, const Vector3d& position, double radi
     const Neighbourhood::Shape& shape = near.shapes()[k];
     screens_[k] = -1;
     if (!shape.felt) continue;
-    Plane screen;
-    if (shape.likely >= 0) {
-      screen = planeThrough(shape, shape.likely);
-      if (std::abs(screen.gap) <= kTouch && keep(screen)) screens_[k] = shape.likely;
-    }
     const double farthest = reach + (shape.view - position).norm();
+    Plane screen, plane;
+    if (shape.likely >= 0 && makePlane(shape, shape.likely, radius_ + kTouch, screen) &&
+        screen.gap >= -kTouch && keep(screen))
+      screens_[k] = shape.likely;
     const auto add = [&](int index) {
-      const Plane plane = planeThrough(shape, index);
-      if (plane.gap <= farthest - radius_) keep(plane);
+      if (makePlane(shape, index, farthest, plane)) keep(plane);
     };
     if (screens_[k] < 0)
       near.visitWithin(shape, shape.view, farthest, add);
@@ -58,7 +56,7 @@ void ClearSpace::look(Neighbourhood& near, const Vector3d& position, double radi
 /// What is nearest now will do to start from the next time.
 void ClearSpace::tellNearest(Neighbourhood& near) {
   std::array<double, Neighbourhood::kMaxShapes> least;
-  least.fill(std::numeric_limits<double>::max());
+  std::fill_n(least.begin(), near.shapes().size(), std::numeric_limits<double>::max());
   for (int label = 0; label < count_; ++label) {
     const Plane& plane = planes_[label];
     double& gap = least[triangle(plane.triangle).shape];
@@ -69,15 +67,22 @@ void ClearSpace::tellNearest(Neighbourhood& near) {
   }
 }
 
-/// Of the triangle's point nearest to the ball.
-ClearSpace::Plane ClearSpace::planeThrough(const Neighbourhood::Shape& shape, int index) const {
-  const TrianglePoint on = nearestOnTriangle(triangle(index).corners, shape.view);
-  const Vector3d way = shape.view - on.point;
-  const double distance = way.norm();
-  const Vector3d normal = distance > kOnSurface
-                              ? Vector3d(way / distance)
-                              : outward(shape.now, triangle(index).index, on.weights).normalized();
-  return {normal, normal.dot(on.point) + radius_, distance - radius_, on, index};
+/// The plane through the triangle's point nearest to the ball; false if that is beyond `farthest` [m].
+bool ClearSpace::makePlane(const Neighbourhood::Shape& shape, int index, double farthest,
+                           Plane& plane) const {
+  plane.on = nearestOnTriangle(triangle(index).corners, shape.view);
+  const Vector3d way = shape.view - plane.on.point;
+  const double squared = way.squaredNorm();
+  if (squared > farthest * farthest) return false;
+  const double distance = std::sqrt(squared);
+  if (distance > kOnSurface)
+    plane.normal = way / distance;
+  else
+    plane.normal = outward(shape.now, triangle(index).index, plane.on.weights).normalized();
+  plane.offset = plane.normal.dot(plane.on.point) + radius_;
+  plane.gap = distance - radius_;
+  plane.triangle = index;
+  return true;
 }
 
 /// Whether a plane that is drawn back by one radius has the triangle behind it.

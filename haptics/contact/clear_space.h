@@ -56,7 +56,7 @@ class ClearSpace {
 
   const Neighbourhood::Triangle& triangle(int index) const { return near_->triangles()[index]; }
   const Neighbourhood::Shape& shapeOf(int index) const { return near_->shapes()[triangle(index).shape]; }
-  Plane planeThrough(const Neighbourhood::Shape& shape, int triangle) const;
+  bool makePlane(const Neighbourhood::Shape& shape, int triangle, double farthest, Plane& plane) const;
   bool isBehind(int triangle, const Plane& plane) const;
   bool keep(const Plane& plane);
   void tellNearest(Neighbourhood& near);

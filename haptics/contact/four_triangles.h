@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include <pleura/haptics/contact/four_boxes.h>
 #include <pleura/haptics/contact/triangle_point.h>
 
 namespace pleura::haptics {
@@ -11,15 +12,16 @@ namespace pleura::haptics {
 /// missed: rounding is on the safe side. Places are relative to one that is near.
 class FourTriangles {
  public:
-  /// A float for each triangle, whose sign tells.
-  using Signs = Eigen::Array4f;
-
   struct Ball {
     Ball(const Eigen::Vector3d& place, double distance)
         : centre(place.cast<float>()),
-          radius(static_cast<float>(distance + kRounding * (distance + place.norm()))) {}
+          squaredRadius(square(distance + kRounding * (distance + place.norm()))) {}
+
     Eigen::Vector3f centre;
-    float radius;  // [m]
+    float squaredRadius;  // [m^2]
+
+   private:
+    static float square(double x) { return static_cast<float>(x) * static_cast<float>(x); }
   };
 
   /// normal . x <= offset; the normal is a unit vector.
@@ -37,27 +39,25 @@ class FourTriangles {
   }
 
   void bound() {
-    low_ = corners_[0].min(corners_[1]).min(corners_[2]);
-    high_ = corners_[0].max(corners_[1]).max(corners_[2]);
-    const Places size = low_.abs().max(high_.abs());
+    boxes_.low = corners_[0].min(corners_[1]).min(corners_[2]);
+    boxes_.high = corners_[0].max(corners_[1]).max(corners_[2]);
+    const FourPlaces size = boxes_.low.abs().max(boxes_.high.abs());
     rounding_ = static_cast<float>(kRounding) * (size.col(0) + size.col(1) + size.col(2));
-    low_.colwise() -= rounding_;
-    high_.colwise() += rounding_;
+    boxes_.low.colwise() -= rounding_;
+    boxes_.high.colwise() += rounding_;
   }
 
-  /// > 0 only where no place of the triangle is in the ball.
-  Signs isFarther(const Ball& ball) const {
-    Signs squared = Signs::Zero();
-    for (int axis = 0; axis < 3; ++axis)
-      squared +=
-          (low_.col(axis) - ball.centre[axis]).max(ball.centre[axis] - high_.col(axis)).max(0.0F).square();
-    return squared - ball.radius * ball.radius;
+  /// >= 0 only where no place of the triangle is in the ball.
+  FourNumbers isFarther(const Ball& ball) const {
+    return boxes_.squaredDistance(ball.centre) - ball.squaredRadius;
   }
 
-  /// > 0 only where all of the triangle is in the half-space.
-  Signs isBehind(const HalfSpace& half) const {
+  /// >= 0 only where all of the triangle is in the half-space.
+  FourNumbers isBehind(const HalfSpace& half) const {
     const Eigen::Vector3f& n = half.normal;
-    const auto along = [&n](const Places& c) { return n[0] * c.col(0) + n[1] * c.col(1) + n[2] * c.col(2); };
+    const auto along = [&n](const FourPlaces& c) {
+      return n[0] * c.col(0) + n[1] * c.col(1) + n[2] * c.col(2);
+    };
     return half.offset - (along(corners_[0]).max(along(corners_[1])).max(along(corners_[2])) + rounding_);
   }
 
@@ -65,11 +65,9 @@ class FourTriangles {
   /// Of a distance: six roundings are between a corner and what its place along a normal is compared to.
   static constexpr double kRounding = 4e-7;
 
-  using Places = Eigen::Array<float, 4, 3>;  // column k holds coordinate k
-
-  Places low_ = Places::Zero(), high_ = Places::Zero();  // of the triangles' boxes
-  std::array<Places, 3> corners_{low_, low_, low_};
-  Signs rounding_ = Signs::Zero();
+  FourBoxes boxes_;  // about the triangles
+  std::array<FourPlaces, 3> corners_{boxes_.low, boxes_.low, boxes_.low};
+  FourNumbers rounding_ = FourNumbers::Zero();
 };
 
 }  // namespace pleura::haptics

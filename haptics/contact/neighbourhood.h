@@ -85,9 +85,9 @@ class Neighbourhood {
   }
 
  private:
-  /// visit(index) is called unless signs(fours_[index / 4])[index % 4] > 0.
+  /// visit(index) is called where signs(fours_[index / 4])[index % 4] < 0.
   template <class Signs, class Visit>
-  void visitUnless(const Shape& shape, Signs signs, Visit visit) const;
+  void visitNegative(const Shape& shape, Signs signs, Visit visit) const;
 
   void add(const TouchShape& shape, int index);
   double reachOf(const Shape& shape) const { return reach_ + (shape.view - centre_).norm(); }
@@ -111,17 +111,12 @@ class Neighbourhood {
 };
 
 template <class Signs, class Visit>
-void Neighbourhood::visitUnless(const Shape& shape, Signs signs, Visit visit) const {
+void Neighbourhood::visitNegative(const Shape& shape, Signs signs, Visit visit) const {
   // told first and visited then: a branch for each would be guessed wrong every other time
-  std::array<int, kMaxTriangles> found;
+  std::array<int, kMaxTriangles + 4> found;
   int count = 0;
-  for (int four = shape.begin / 4; four * 4 < shape.end; ++four) {
-    const FourTriangles::Signs sign = signs(fours_[four]);
-    for (int k = 0; k < 4; ++k) {
-      found[count] = 4 * four + k;
-      count += sign[k] <= 0;
-    }
-  }
+  for (int four = shape.begin / 4; four * 4 < shape.end; ++four)
+    count += putNegative(signs(fours_[four]), 4 * four, &found[count]);
   for (int i = 0; i < count; ++i)
     if (found[i] >= shape.begin && found[i] < shape.end) visit(found[i]);
 }
@@ -130,7 +125,7 @@ template <class Visit>
 void Neighbourhood::visitWithin(const Shape& shape, const Eigen::Vector3d& point, double reach,
                                 Visit visit) const {
   const FourTriangles::Ball ball(point - centre_, reach);
-  visitUnless(
+  visitNegative(
       shape, [&](const FourTriangles& four) { return four.isFarther(ball); }, visit);
 }
 
@@ -139,9 +134,9 @@ void Neighbourhood::visitInFront(const Shape& shape, const Eigen::Vector3d& poin
                                  const Eigen::Vector3d& normal, double offset, Visit visit) const {
   const FourTriangles::Ball ball(point - centre_, reach);
   const FourTriangles::HalfSpace behind(normal, offset - normal.dot(centre_));
-  visitUnless(
+  visitNegative(
       shape,
-      [&](const FourTriangles& four) -> FourTriangles::Signs {
+      [&](const FourTriangles& four) -> FourNumbers {
         return four.isFarther(ball).max(four.isBehind(behind));
       },
       visit);

@@ -54,6 +54,7 @@ Vector3d Proxy::carried() const {
 /// are about the ball is so at every step anew, and each step brings it nearer.
 Proxy::Pull Proxy::pullOn(const Vector3d& device, const Vector3d& drag) const {
   const Pull none{-1, 0, device - drag};
+  if (magneticDistance_ <= 0) return none;
   Pull pull = none;
   double least = std::numeric_limits<double>::max();
   for (int label = 0; label < space_.count(); ++label) {
@@ -103,13 +104,13 @@ void Proxy::follow(std::span<const TouchShape> shapes, const Vector3d& asked) {
   const Vector3d device = isPlace(asked) ? asked : device_;
   const double least = std::max(radius_ / 16, 1.125 * (device - device_).norm());
   if (least > stride_ || least < stride_ / 8) stride_ = 1.1 * least;
-  double pull = 0;
+  magneticDistance_ = 0;
   for (const TouchShape& shape : shapes) {
     assert(shape.s >= 0 && shape.s <= 1);
-    pull = std::max(pull, shape.surface.magneticDistance);
+    magneticDistance_ = std::max(magneticDistance_, shape.surface.magneticDistance);
   }
-  double stride = std::max(stride_, pull);
-  const double always = 4 * radius_ + pull;
+  double stride = std::max(stride_, magneticDistance_);
+  const double always = 4 * radius_ + magneticDistance_;
   device_ = device;
   near_.advance(shapes, position_);
   position_ = carried();

@@ -79,7 +79,8 @@ class Proxy {
   ClearSpace space_;
   std::array<ProxyContact, kMaxContacts> contacts_;
   int contactCount_ = 0;
-  double stride_ = 0;  // [m] that is looked about for
+  double stride_ = 0;            // [m] that is looked about for
+  double magneticDistance_ = 0;  // [m] the greatest of all shapes
   bool slides_ = false;
 };
 

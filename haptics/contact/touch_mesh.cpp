@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 
 namespace pleura::haptics {
 
+using Eigen::Array4f;
 using Eigen::Vector3f;
 using Eigen::Vector3i;
 
@@ -41,28 +43,50 @@ bool hasArea(std::span<const Vector3f> points, const Vector3i& t) {
   return (b - a).cross(c - a).squaredNorm() > 0;
 }
 
+/// Divides the range at the median of its longest axis; returns where the second half begins.
+int split(std::span<const Vector3f> centroids, std::span<int> order, int begin, int end) {
+  Eigen::AlignedBox3f box;
+  for (int i = begin; i < end; ++i) box.extend(centroids[order[i]]);
+  int axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const int middle = begin + (end - begin) / 2;
+  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
+                   [&centroids, axis](int s, int t) {
+                     return std::pair(centroids[s][axis], s) < std::pair(centroids[t][axis], t);
+                   });
+  return middle;
+}
+
 }  // namespace
 
 TouchMesh::TouchMesh(std::span<const Vector3f> points, std::span<const Vector3i> triangles)
-    : triangles_(triangles.begin(), triangles.end()), serial_(nextSerial()) {
+    : serial_(nextSerial()) {
   requireFinite(points);
   const int count = static_cast<int>(points.size());
   for (const Vector3i& t : triangles)
     if (t.minCoeff() < 0 || t.maxCoeff() >= count)
       throw std::invalid_argument("triangles: an index is out of the range of " + std::to_string(count) +
                                   " points");
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (hasArea(points, triangles[t])) ordered_.push_back(static_cast<int>(t));
-  if (ordered_.empty())
+  std::ranges::copy_if(triangles, std::back_inserter(triangles_),
+                       [&points](const Vector3i& t) { return hasArea(points, t); });
+  if (triangles_.empty())
     throw std::invalid_argument("triangles: a surface needs at least one that has an area");
+  sortIntoTree(points);
   weld(points);
   findIncident();
   closed_ = everyEdgeHasTwoSides();
+}
+
+void TouchMesh::sortIntoTree(std::span<const Vector3f> points) {
   std::vector<Vector3f> centroids;
-  centroids.reserve(triangles.size());
-  for (const Vector3i& t : triangles)
+  centroids.reserve(triangles_.size());
+  for (const Vector3i& t : triangles_)
     centroids.push_back(points[t[0]] / 3 + points[t[1]] / 3 + points[t[2]] / 3);
-  build(centroids, 0, static_cast<int>(ordered_.size()));
+  std::vector<int> order(triangles_.size());
+  std::iota(order.begin(), order.end(), 0);
+  build(centroids, order, 0, static_cast<int>(order.size()));
+  const std::vector<Vector3i> unsorted = triangles_;
+  std::ranges::transform(order, triangles_.begin(), [&unsorted](int t) { return unsorted[t]; });
 }
 
 std::span<const int> TouchMesh::incident(int point) const {
@@ -84,52 +108,38 @@ void TouchMesh::weld(std::span<const Vector3f> points) {
 
 void TouchMesh::findIncident() {
   incidentBegin_.assign(welded_.size() + 1, 0);
-  for (const int t : ordered_)
-    for (const int corner : triangles_[t]) ++incidentBegin_[welded_[corner] + 1];
+  for (const Vector3i& t : triangles_)
+    for (const int corner : t) ++incidentBegin_[welded_[corner] + 1];
   std::partial_sum(incidentBegin_.begin(), incidentBegin_.end(), incidentBegin_.begin());
   incident_.resize(incidentBegin_.back());
   std::vector<int> next(incidentBegin_.begin(), incidentBegin_.end() - 1);
-  for (const int t : ordered_)
+  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
     for (const int corner : triangles_[t]) incident_[next[welded_[corner]]++] = t;
 }
 
 bool TouchMesh::everyEdgeHasTwoSides() const {
   std::vector<std::pair<int, int>> edges;
-  edges.reserve(3 * ordered_.size());
-  for (const int t : ordered_)
-    for (int k = 0; k < 3; ++k)
-      edges.emplace_back(welded_[triangles_[t][k]], welded_[triangles_[t][(k + 1) % 3]]);
+  edges.reserve(3 * triangles_.size());
+  for (const Vector3i& t : triangles_)
+    for (int k = 0; k < 3; ++k) edges.emplace_back(welded_[t[k]], welded_[t[(k + 1) % 3]]);
   std::ranges::sort(edges);
   return std::ranges::all_of(edges, [&edges](const auto& edge) {
     return std::ranges::binary_search(edges, std::pair(edge.second, edge.first));
   });
 }
 
-/// Divides the range at the median of its longest axis; returns where the second half begins.
-int TouchMesh::split(std::span<const Vector3f> centroids, int begin, int end) {
-  Eigen::AlignedBox3f box;
-  for (int i = begin; i < end; ++i) box.extend(centroids[ordered_[i]]);
-  int axis = 0;
-  box.sizes().maxCoeff(&axis);
-  const int middle = begin + (end - begin) / 2;
-  std::nth_element(ordered_.begin() + begin, ordered_.begin() + middle, ordered_.begin() + end,
-                   [&centroids, axis](int s, int t) {
-                     return std::pair(centroids[s][axis], s) < std::pair(centroids[t][axis], t);
-                   });
-  return middle;
-}
-
-TouchMesh::Child TouchMesh::build(std::span<const Vector3f> centroids, int begin, int end) {
+TouchMesh::Child TouchMesh::build(std::span<const Vector3f> centroids, std::span<int> order, int begin,
+                                  int end) {
   if (end - begin <= kLeafSize && !nodes_.empty()) return {begin, end - begin};
   const int self = static_cast<int>(nodes_.size());
   nodes_.emplace_back();
-  const int middle = split(centroids, begin, end);
+  const int middle = split(centroids, order, begin, end);
   for (const auto& [from, to] : {std::pair(begin, middle), std::pair(middle, end)}) {
     if (from == to) continue;
-    const int half = to - from > kLeafSize ? split(centroids, from, to) : to;
+    const int half = to - from > kLeafSize ? split(centroids, order, from, to) : to;
     for (const auto& [first, last] : {std::pair(from, half), std::pair(half, to)}) {
       if (first == last) continue;
-      const Child child = build(centroids, first, last);
+      const Child child = build(centroids, order, first, last);
       nodes_[self].children[nodes_[self].childCount++] = child;
     }
   }
@@ -141,25 +151,28 @@ void TouchMeshFrame::fit(const TouchMesh& mesh, std::span<const Vector3f> moved)
     throw std::invalid_argument("points: " + std::to_string(moved.size()) + " for a surface of " +
                                 std::to_string(mesh.pointCount()));
   requireFinite(moved);
-  points.assign(moved.begin(), moved.end());
+  points.resize(moved.size());
+  std::ranges::transform(moved, points.begin(),
+                         [](const Vector3f& p) { return Array4f(p[0], p[1], p[2], 0); });
   boxes.resize(mesh.nodes().size());
   const std::span<const Vector3i> triangles = mesh.triangles();
-  const std::span<const int> ordered = mesh.ordered();
   for (std::size_t i = mesh.nodes().size(); i-- > 0;) {
     const TouchMesh::Node& node = mesh.nodes()[i];
-    TouchBoxes& own = boxes[i];
+    FourBoxes& own = boxes[i];
     for (int k = 0; k < node.childCount; ++k) {
       const auto [first, count] = node.children[k];
       if (count == 0) {
-        own.low.row(k) = boxes[first].low.colwise().minCoeff();
-        own.high.row(k) = boxes[first].high.colwise().maxCoeff();
+        own.enclose(k, boxes[first]);
         continue;
       }
-      Eigen::AlignedBox3f box;
+      Array4f low = points[triangles[first][0]], high = low;
       for (int t = first; t < first + count; ++t)
-        for (const int corner : triangles[ordered[t]]) box.extend(points[corner]);
-      own.low.row(k) = box.min().transpose().array();
-      own.high.row(k) = box.max().transpose().array();
+        for (const int corner : triangles[t]) {
+          low = low.min(points[corner]);
+          high = high.max(points[corner]);
+        }
+      own.low.row(k) = low.head<3>().transpose();
+      own.high.row(k) = high.head<3>().transpose();
     }
     for (int k = node.childCount; k < 4; ++k) {
       own.low.row(k) = own.low.row(0);

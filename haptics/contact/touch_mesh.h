@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <pleura/haptics/contact/four_boxes.h>
+
 namespace pleura::haptics {
 
 /// What stays of a touchable surface while it deforms: its triangles and the shape of the tree of boxes about
@@ -14,11 +16,12 @@ namespace pleura::haptics {
 class TouchMesh {
  public:
   /// Throws std::invalid_argument on no triangles, indices out of range and points that are not finite.
-  /// Triangles without area are kept out of the tree. Points at one place count as one where the surface's
-  /// sides are told. O(n log n).
+  /// Triangles without area are left out. Points at one place count as one where the surface's sides are
+  /// told. O(n log n).
   TouchMesh(std::span<const Eigen::Vector3f> points, std::span<const Eigen::Vector3i> triangles);
 
   std::size_t pointCount() const { return welded_.size(); }
+  /// In the tree's order: those that lie together are together in memory.
   std::span<const Eigen::Vector3i> triangles() const { return triangles_; }
   /// Different for every mesh of the process.
   std::uint64_t serial() const { return serial_; }
@@ -32,46 +35,38 @@ class TouchMesh {
   int welded(int point) const { return welded_[point]; }
 
   /// Up to four boxes, or triangles, a node; parents before children.
-  static constexpr int kLeafSize = 4;
+  static constexpr int kLeafSize = 8;
   struct Child {
     int first;
-    int count;  // of triangles, ordered()[first] and on; 0: `first` is a node
+    int count;  // of triangles, triangles()[first] and on; 0: `first` is a node
   };
   struct Node {
     std::array<Child, 4> children;
     int childCount = 0;
   };
   std::span<const Node> nodes() const { return nodes_; }
-  std::span<const int> ordered() const { return ordered_; }
 
  private:
   void weld(std::span<const Eigen::Vector3f> points);
   void findIncident();
   bool everyEdgeHasTwoSides() const;
-  Child build(std::span<const Eigen::Vector3f> centroids, int begin, int end);
-  int split(std::span<const Eigen::Vector3f> centroids, int begin, int end);
+  void sortIntoTree(std::span<const Eigen::Vector3f> points);
+  Child build(std::span<const Eigen::Vector3f> centroids, std::span<int> order, int begin, int end);
 
   std::vector<Eigen::Vector3i> triangles_;
   std::vector<int> welded_;         // the first point at the same place
   std::vector<int> incidentBegin_;  // of welded points
   std::vector<int> incident_;
-  std::vector<int> ordered_;  // triangles, a leaf's next to each other
   std::vector<Node> nodes_;
   std::uint64_t serial_;
   bool closed_ = false;
 };
 
-/// The boxes about the four children of a node [m]; column k holds coordinate k.
-struct TouchBoxes {
-  Eigen::Array<float, 4, 3> low;
-  Eigen::Array<float, 4, 3> high;
-};
-
 /// The points of a surface at one moment [m], and the tree's boxes about them.
 struct TouchMeshFrame {
-  std::vector<Eigen::Vector3f> points;
-  std::vector<TouchBoxes> boxes;  // one for each of the mesh's nodes
-  std::uint64_t serial = 0;       // different after every fit of the process
+  std::vector<Eigen::Array4f> points;  // one load each; the fourth number is 0
+  std::vector<FourBoxes> boxes;        // about the children of each of the mesh's nodes
+  std::uint64_t serial = 0;            // different after every fit of the process
 
   /// As many points as the mesh has. Linear; allocates only when the frame served a smaller mesh before.
   /// Throws std::invalid_argument on points that are not finite or of another number, the frame untouched.

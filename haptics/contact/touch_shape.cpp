@@ -15,6 +15,10 @@ Vector3d unitNormal(const Corners& c) {
   return length > 0 ? Vector3d(normal / length) : Vector3d::Zero();
 }
 
+Vector3d placeOf(const TouchMeshFrame& frame, int point) {
+  return frame.points[point].head<3>().cast<double>();
+}
+
 double angleAt(const Corners& c, int k) {
   const Vector3d u = c.col((k + 1) % 3) - c.col(k), v = c.col((k + 2) % 3) - c.col(k);
   return std::atan2(u.cross(v).norm(), u.dot(v));
@@ -27,8 +31,8 @@ Corners cornersOf(const TouchShape& shape, int triangle) {
   const bool moves = shape.from != shape.to;
   Corners local;
   for (int k = 0; k < 3; ++k) {
-    local.col(k) = shape.from->points[t[k]].cast<double>();
-    if (moves) local.col(k) += double(shape.s) * (shape.to->points[t[k]].cast<double>() - local.col(k));
+    local.col(k) = placeOf(*shape.from, t[k]);
+    if (moves) local.col(k) += double(shape.s) * (placeOf(*shape.to, t[k]) - local.col(k));
   }
   return (shape.pose.linear() * local).colwise() + shape.pose.translation();
 }

@@ -39,25 +39,24 @@ void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double rad
 
 template <class Visit>
 void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double radius, Visit visit) {
-  using FourBounds = Eigen::Array<float, 4, 1>;
-  using Place = Eigen::Array3f;
   // the boxes are of floats, and those between two frames are rounded: so much more is asked for
   constexpr float rounding = 1e-6F;
   constexpr int stackSize = 64;  // 3 children wait on each of at most 16 levels: 4^16 > 2^31 triangles
-  const Place p = (shape.pose.inverse(Eigen::Isometry) * point).cast<float>();
-  const float reach = static_cast<float>(radius) * (1 + rounding) + rounding * p.abs().maxCoeff();
+  const Eigen::Vector3f p = (shape.pose.inverse(Eigen::Isometry) * point).cast<float>();
+  const FourNumbers place(p[0], p[1], p[2], 0);
+  const float reach = static_cast<float>(radius) * (1 + rounding) + rounding * place.abs().maxCoeff();
   const float squaredReach = reach * reach;
   const bool moves = shape.from != shape.to;
   const auto squaredDistance = [&](int triangle) {
     const Eigen::Vector3i& t = shape.mesh->triangles()[triangle];
-    std::array<Place, 3> corners;
+    std::array<FourNumbers, 3> corners;
     for (int k = 0; k < 3; ++k) {
       corners[k] = shape.from->points[t[k]];
-      if (moves) corners[k] += shape.s * (shape.to->points[t[k]].array() - corners[k]);
+      if (moves) corners[k] += shape.s * (shape.to->points[t[k]] - corners[k]);
     }
-    const Place low = corners[0].min(corners[1]).min(corners[2]);
-    const Place high = corners[0].max(corners[1]).max(corners[2]);
-    return (low - p).max(p - high).max(0.0F).square().sum();
+    const FourNumbers low = corners[0].min(corners[1]).min(corners[2]);
+    const FourNumbers high = corners[0].max(corners[1]).max(corners[2]);
+    return (low - place).max(place - high).max(0.0F).square().sum();
   };
   std::array<int, stackSize> stack;
   int size = 0;
@@ -65,17 +64,12 @@ void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double rad
   while (size > 0) {
     const int index = stack[--size];
     const TouchMesh::Node& node = shape.mesh->nodes()[index];
-    const TouchBoxes& from = shape.from->boxes[index];
-    FourBounds squared = FourBounds::Zero();
-    for (int k = 0; k < 3; ++k) {
-      FourBounds low = from.low.col(k), high = from.high.col(k);
-      if (moves) {
-        const TouchBoxes& to = shape.to->boxes[index];
-        low += shape.s * (to.low.col(k) - low);
-        high += shape.s * (to.high.col(k) - high);
-      }
-      squared += (low - p[k]).max(p[k] - high).max(0.0F).square();
+    FourBoxes boxes = shape.from->boxes[index];
+    if (moves) {
+      boxes.low += shape.s * (shape.to->boxes[index].low - boxes.low);
+      boxes.high += shape.s * (shape.to->boxes[index].high - boxes.high);
     }
+    const FourNumbers squared = boxes.squaredDistance(p);
     // told first and visited then: a branch for each would be guessed wrong every other time
     std::array<int, 4 * TouchMesh::kLeafSize> near;
     int count = 0;
@@ -84,8 +78,8 @@ void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double rad
       const auto [first, triangles] = node.children[c];
       if (triangles == 0) stack[size++] = first;
       for (int i = first; i < first + triangles; ++i) {
-        near[count] = shape.mesh->ordered()[i];
-        count += squaredDistance(near[count]) <= squaredReach;
+        near[count] = i;
+        count += squaredDistance(i) <= squaredReach;
       }
     }
     for (int i = 0; i < count; ++i)
