@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <pleura/nodes/core/scene_context.h>
 #include <pleura/nodes/deformable/fem/corotational_solid.h>
 #include <pleura/nodes/deformable/fem/linear_solid.h>
 #include <pleura/nodes/deformable/fem/neo_hookean_solid.h>
 #include <pleura/nodes/deformable/fem/pressure.h>
+#include <pleura/nodes/deformable/fem/tetrahedra.h>
 #include <pleura/nodes/deformable/finite_element_deformer.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/mesh/precision.h>
@@ -31,6 +33,9 @@ SoftPoints heldBy(const Embedding& embedding, std::span<const int> driven, doubl
   }
   return soft;
 }
+
+/// The Poisson ratio above which tetrahedra lock: they can't keep their volumes and bend.
+constexpr float kLocking = 0.45F;
 
 /// What targets in float are known to [m]: a drive of less is none, and can't be balanced.
 constexpr float kTargetRounding = 1e-7f;
@@ -57,7 +62,9 @@ void FiniteElementDeformer::declare(NodeType& type) {
       .means("LINEAR: small rotations; COROTATIONAL: large ones; NEO_HOOKEAN: large strains, the reference");
   type.field<&FiniteElementDeformer::elements>("elements", inputOutput, 2000)
       .within(1, 20000)
-      .means("cubes of the lattice, about; memory grows faster than they do, 0.1 GB for 4,000");
+      .means("about; memory grows faster than they do, 0.1 GB for 4,000 cubes");
+  type.field<&FiniteElementDeformer::elementType>("elementType", inputOutput, "HEXAHEDRON")
+      .means("HEXAHEDRON: the lattice's cubes; TETRAHEDRON: each is cut in five, cheaper and stiffer");
   type.field<&FiniteElementDeformer::density>("density", inputOutput, 250)
       .measuredIn(Unit::density)
       .positive(1e5)
@@ -102,32 +109,42 @@ std::vector<Field*> FiniteElementDeformer::material() {
 
 std::vector<Field*> FiniteElementDeformer::inputs() {
   std::vector<Field*> fields = material();
-  fields.insert(fields.end(), {&elements, &pressure, &restPressure});
+  fields.insert(fields.end(), {&elements, &elementType, &pressure, &restPressure});
   if (!quasiStatic.getValue()) fields.push_back(&context().time);
   return fields;
 }
 
-void FiniteElementDeformer::setRest(const TriangleMesh& rest, std::span<const int> /*rigidPoints*/) {
-  rest_ = rest;
-  lattice_.reset();
-  solver_.reset();
-  makeLattice();
+bool FiniteElementDeformer::hasTetrahedra() {
+  const std::string& type = elementType.getValue();
+  if (type != "HEXAHEDRON" && type != "TETRAHEDRON")
+    throw std::invalid_argument("elementType is HEXAHEDRON or TETRAHEDRON, not " + type);
+  return type == "TETRAHEDRON";
 }
 
-void FiniteElementDeformer::makeLattice() {
-  latticeStamp_ = elements.getStamp();
-  lattice_ = pleura::makeLattice(rest_, {.elements = elements.getValue()});
-  embedding_ = embed(*lattice_, rest_.points);
+void FiniteElementDeformer::setRest(const TriangleMesh& rest, std::span<const int> /*rigidPoints*/) {
+  rest_ = rest;
+  mesh_ = {};
+  solver_.reset();
+  makeMesh();
+}
+
+void FiniteElementDeformer::makeMesh() {
+  meshStamp_ = std::max(elements.getStamp(), elementType.getStamp());
+  const int perCell = hasTetrahedra() ? kTetrahedraPerCell : 1;
+  Lattice lattice = makeLattice(rest_, {.elements = std::max(1, elements.getValue() / perCell)});
+  embedding_ = embed(lattice, rest_.points);
+  cellSize_ = lattice.grid.cellSize;
+  mesh_ = perCell == 1 ? std::move(lattice.solid) : cutIntoTetrahedra(lattice);
   points_.resize(rest_.points.size());
   inDouble(rest_.points, points_);
   std::vector<Eigen::Vector3d> onPoints(rest_.points.size(), Eigen::Vector3d::Zero());
   addPressureForces(1, points_, rest_.triangles, onPoints);
-  pull_.assign(lattice_->solid.nodes.size(), Eigen::Vector3d::Zero());
+  pull_.assign(mesh_.nodes.size(), Eigen::Vector3d::Zero());
   addTransposed(embedding_, onPoints, pull_);
   forces_ = pull_;
   solver_.reset();
-  elementCount.setValue(lattice_->report.elements, id);
-  for (const std::string& finding : findings(lattice_->report)) context().warn(*this, finding);
+  elementCount.setValue(mesh_.elementCount(), id);
+  for (const std::string& finding : findings(lattice.report)) context().warn(*this, finding);
 }
 
 void FiniteElementDeformer::makeSolver(std::span<const int> driven) {
@@ -138,9 +155,12 @@ void FiniteElementDeformer::makeSolver(std::span<const int> driven) {
                                .poissonRatio = poissonRatio.getValue(),
                                .massDamping = massDamping.getValue(),
                                .stiffnessDamping = stiffnessDamping.getValue()};
-  const double hold = kHold * material.youngsModulus * lattice_->report.cellSize;
-  solver_ = solverFor(model.getValue(), lattice_->solid, material,
-                      {.fixed = {}, .soft = heldBy(embedding_, driven, hold)});
+  const double hold = kHold * material.youngsModulus * cellSize_;
+  solver_ =
+      solverFor(model.getValue(), mesh_, material, {.fixed = {}, .soft = heldBy(embedding_, driven, hold)});
+  if (hasTetrahedra() && poissonRatio.getValue() > kLocking)
+    context().warn(*this,
+                   "tetrahedra of a poissonRatio above 0.45 are stiffer than the tissue; HEXAHEDRON is not");
   atRest_ = solver_->state();
   time_ = context().time.getValue();
   targets_.resize(driven.size());
@@ -156,7 +176,7 @@ bool FiniteElementDeformer::isAtRest(std::span<const Vec3f> targets) const {
 void FiniteElementDeformer::solve(std::span<const int> driven, std::span<const Vec3f> targets) {
   std::uint64_t stamp = 0;
   for (Field* input : material()) stamp = std::max(stamp, input->getStamp());
-  if (elements.getStamp() != latticeStamp_) makeLattice();
+  if (std::max(elements.getStamp(), elementType.getStamp()) != meshStamp_) makeMesh();
   if (!solver_ || stamp != solverStamp_ ||
       !std::equal(driven.begin(), driven.end(), driven_.begin(), driven_.end()))
     makeSolver(driven);

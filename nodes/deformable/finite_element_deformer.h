@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include <pleura/nodes/deformable/deformer_node.h>
@@ -10,14 +9,15 @@
 
 namespace pleura {
 
-/// Finite elements in a lattice of cubes inside the shape: linear, corotational or stable Neo-Hookean
-/// elasticity (fem/). Driven points are held by stiff springs, and then put exactly where they are to be.
-/// Static answers have no memory; with quasiStatic FALSE the shape moves by backward Euler, with inertia and
-/// damping, as the scene's time does.
+/// Finite elements in a lattice of cubes, or of cubes cut into tetrahedra, inside the shape: linear,
+/// corotational or stable Neo-Hookean elasticity (fem/). Driven points are held by stiff springs, and then
+/// put exactly where they are to be. Static answers have no memory; with quasiStatic FALSE the shape moves by
+/// backward Euler, with inertia and damping, as the scene's time does.
 class FiniteElementDeformer : public DeformerNode {
  public:
   SFString model;
   SFInt32 elements;
+  SFString elementType;
   SFFloat density;
   SFFloat youngsModulus;
   SFFloat poissonRatio;
@@ -42,17 +42,19 @@ class FiniteElementDeformer : public DeformerNode {
  private:
   /// Fields that a solver is made for.
   std::vector<Field*> material();
-  void makeLattice();
+  bool hasTetrahedra();
+  void makeMesh();
   void makeSolver(std::span<const int> driven);
   bool isAtRest(std::span<const Vec3f> targets) const;
   void solve(std::span<const int> driven, std::span<const Vec3f> targets);
 
   TriangleMesh rest_;
-  std::optional<Lattice> lattice_;
+  SolidMesh mesh_;
+  double cellSize_ = 0;  // [m]
   Embedding embedding_;
   std::unique_ptr<SolidSolver> solver_;
   std::vector<int> driven_;  // that the solver was made for
-  std::uint64_t latticeStamp_ = 0, solverStamp_ = 0;
+  std::uint64_t meshStamp_ = 0, solverStamp_ = 0;
   SolidState atRest_;
   Time time_ = 0;
   // Work space.

@@ -121,7 +121,8 @@ struct Lung {
            Eigen::Vector3d(at, 0, 0))
               .cast<float>();
     }
-    lattice = makeLattice(mesh, {.elements = nodesPerElement == 8 ? elements : elements / 5});
+    lattice =
+        makeLattice(mesh, {.elements = nodesPerElement == 8 ? elements : elements / kTetrahedraPerCell});
     const Embedding points = embed(lattice, mesh.points);
     held.soft.stiffness = 100 * tissue().youngsModulus * lattice.report.cellSize;
     for (std::size_t i = 0; i < mesh.points.size(); i += 2) {
@@ -132,7 +133,7 @@ struct Lung {
       }
       held.soft.begin.push_back(static_cast<int>(held.soft.node.size()));
     }
-    if (nodesPerElement == 4) splitCells();
+    if (nodesPerElement == 4) lattice.solid = cutIntoTetrahedra(lattice);
   }
 
   static SolidMaterial tissue() {
@@ -146,20 +147,6 @@ struct Lung {
     for (const Eigen::Vector3d& p : rest)
       targets.emplace_back(p.x() * (1 + 0.05 * depth), p.y() - 0.015 * depth * (0.12 - p.y()) / 0.24,
                            p.z() * (1 + 0.05 * depth));
-  }
-
- private:
-  void splitCells() {
-    SolidMesh split{lattice.solid.nodes, {}, 4, {}};
-    for (int cell = 0; cell < lattice.grid.cellCount(); ++cell) {
-      const int element = lattice.elementOf[static_cast<std::size_t>(cell)];
-      if (element < 0) continue;
-      std::array<int, 8> corner;
-      std::copy_n(lattice.solid.elements.begin() + 8 * element, 8, corner.begin());
-      addTetrahedra(corner, lattice.grid.cellOf(cell).sum() % 2, split.elements);
-      split.fill.insert(split.fill.end(), 5, lattice.solid.fill[static_cast<std::size_t>(element)]);
-    }
-    lattice.solid = std::move(split);
   }
 };
 

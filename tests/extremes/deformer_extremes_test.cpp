@@ -43,6 +43,11 @@ const Tier kTiers[] = {
      [](TestContext& c) {
        return withFields<FiniteElementDeformer>(c, {{"model", "LINEAR"}, {"elements", "200"}});
      }},
+    {"linear tetrahedra",
+     [](TestContext& c) {
+       return withFields<FiniteElementDeformer>(
+           c, {{"model", "LINEAR"}, {"elementType", "TETRAHEDRON"}, {"elements", "1000"}});
+     }},
     {"linear FEM, nu 0.4999",
      [](TestContext& c) {
        return withFields<FiniteElementDeformer>(

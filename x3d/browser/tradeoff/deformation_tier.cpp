@@ -1,35 +1,58 @@
+#include <array>
+
 #include <pleura/x3d/browser/tradeoff/deformation_tier.h>
 
 namespace pleura {
 
 namespace {
 
-DeformationTier finiteElements(const std::string& method, const std::string& model, int elements) {
-  return {
-      method, "FiniteElementDeformer", {{"model", model}, {"elements", std::to_string(elements)}}, elements};
+/// Finite elements of one kind.
+struct LatticeMethod {
+  const char* name;
+  const char* model;
+  const char* elementType;
+  int elementsPerCell;
+
+  DeformationTier tier(int elements) const {
+    return {name,
+            "FiniteElementDeformer",
+            {{"model", model}, {"elementType", elementType}, {"elements", std::to_string(elements)}},
+            elements};
+  }
+};
+
+constexpr std::array<LatticeMethod, 4> kLatticeMethods{{{"linear tetrahedra", "LINEAR", "TETRAHEDRON", 5},
+                                                        {"linear FEM", "LINEAR", "HEXAHEDRON", 1},
+                                                        {"corotational FEM", "COROTATIONAL", "HEXAHEDRON", 1},
+                                                        {kReferenceModel, "NEO_HOOKEAN", "HEXAHEDRON", 1}}};
+
+std::vector<DeformationTier> tiersWithoutLattice() {
+  return {{"smooth fill", "", {}, 0},
+          {"ChainMail", "ChainmailDeformer", {{"smoothing", "20"}}, 0},
+          {"springs", "SpringDeformer", {}, 0}};
 }
 
 }  // namespace
 
 std::vector<DeformationTier> deformationTiers(int coarse) {
-  std::vector<DeformationTier> tiers{{"smooth fill", "", {}, 0},
-                                     {"ChainMail", "ChainmailDeformer", {{"smoothing", "20"}}, 0},
-                                     {"springs", "SpringDeformer", {}, 0}};
-  for (const auto& [method, model] :
-       {std::pair{"linear FEM", "LINEAR"}, std::pair{"corotational FEM", "COROTATIONAL"},
-        std::pair{kReferenceModel, "NEO_HOOKEAN"}})
-    for (const int elements : {coarse, 8 * coarse}) tiers.push_back(finiteElements(method, model, elements));
+  std::vector<DeformationTier> tiers = tiersWithoutLattice();
+  for (const LatticeMethod& method : kLatticeMethods)
+    for (const int cells : {coarse, 8 * coarse}) tiers.push_back(method.tier(cells * method.elementsPerCell));
   return tiers;
 }
 
 DeformationTier tierOf(const std::string& method, int elements) {
-  for (DeformationTier& tier : deformationTiers(elements))
-    if (tier.method == method && tier.elements == elements) return std::move(tier);
+  for (DeformationTier& tier : tiersWithoutLattice())
+    if (tier.method == method && elements == 0) return std::move(tier);
+  for (const LatticeMethod& known : kLatticeMethods)
+    if (known.name == method && elements > 0) return known.tier(elements);
   return {};
 }
 
 DeformationTier referenceTier(int elements) {
-  return finiteElements(kReferenceMethod, "NEO_HOOKEAN", elements);
+  DeformationTier tier = tierOf(kReferenceModel, elements);
+  tier.method = kReferenceMethod;
+  return tier;
 }
 
 }  // namespace pleura

@@ -16,7 +16,8 @@ struct DeformationTier {
   std::string name() const { return elements > 0 ? method + " " + std::to_string(elements) : method; }
 };
 
-/// The cheap ones first; lattices of `coarse` elements and of eight times as many.
+/// The cheap ones first; lattices of `coarse` cells and of eight times as many, whose cubes may be cut in
+/// five.
 std::vector<DeformationTier> deformationTiers(int coarse);
 
 /// The tier of that method and number of elements; without a node for a method that there is not.

@@ -11,20 +11,9 @@
 #include <Eigen/Geometry>
 
 #include <pleura/nodes/deformable/fem/solid_solver.h>
+#include <pleura/nodes/deformable/fem/tetrahedra.h>
 
 namespace pleura {
-
-/// Appends the five tetrahedra of a cell whose corners are given in the order of bits, mirrored along x if
-/// `flip`: those of cells that share a face fit when one of the two is.
-inline void addTetrahedra(const std::array<int, 8>& corner, int flip, std::vector<int>& elements) {
-  static constexpr int kFive[5][4] = {{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}};
-  for (const auto& tet : kFive) {
-    int v[4];
-    for (int a = 0; a < 4; ++a) v[a] = corner[static_cast<std::size_t>(tet[a] ^ flip)];
-    if (flip) std::swap(v[2], v[3]);
-    elements.insert(elements.end(), v, v + 4);
-  }
-}
 
 /// Cells n.x by n.y by n.z of a box from the origin; five tetrahedra a cell, mirrored from cell to cell so
 /// that they fit, or one hexahedron.
@@ -45,7 +34,7 @@ inline SolidMesh box(const Eigen::Vector3i& n, const Eigen::Vector3d& size, int 
         if (nodesPerElement == 8)
           mesh.elements.insert(mesh.elements.end(), at.begin(), at.end());
         else
-          addTetrahedra(at, (x + y + z + 1) % 2, mesh.elements);
+          addTetrahedra(at, (x + y + z) % 2 == 0, mesh.elements);
       }
   return mesh;
 }
