@@ -194,6 +194,29 @@ void expectRecovery(const SolidMesh& mesh, const NodeVectors& from, const char* 
   EXPECT_LT(farthest(solid.state().position, mesh.nodes), 1e-6) << what;
 }
 
+/// The face is asked to be kilometres away, each node elsewhere: the step fails, and the next is that of a
+/// solver which never heard of it.
+TEST(NeoHookeanSolid, AFailedStepLeavesNoTrace) {
+  const SolidMesh mesh = cube(2, 4);
+  SolidConstraints held;
+  held.fixed = clampedFace(mesh);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> far(-1e4, 1e4);
+  NodeVectors scattered, pulled;
+  for (const int i : held.fixed) {
+    const Eigen::Vector3d& rest = mesh.nodes[static_cast<std::size_t>(i)];
+    const double x = far(random), y = far(random), z = far(random);
+    scattered.push_back(rest + Eigen::Vector3d(x, y, z));
+    pulled.push_back(rest - Eigen::Vector3d(0.1, 0, 0));
+  }
+  NeoHookeanSolid tried(mesh, softCube(), held), fresh(mesh, softCube(), held);
+  ASSERT_EQ(tried.step(0.01, {.prescribed = scattered}).outcome, SolidOutcome::failed);
+  ASSERT_TRUE(tried.step(0.01, {.prescribed = pulled}).converged());
+  fresh.step(0.01, {.prescribed = pulled});
+  EXPECT_EQ(tried.state().position, fresh.state().position);
+  EXPECT_EQ(tried.state().velocity, fresh.state().velocity);
+}
+
 TYPED_TEST(NonlinearSolids, RecoverFromAnything) {
   for (const int kind : kKinds) {
     const SolidMesh mesh = cube(3, kind);
