@@ -53,7 +53,7 @@ Vector3d Proxy::carried() const {
 /// The nearest magnetic surface that reaches the device. What is nearest to the device of the triangles that
 /// are about the ball is so at every step anew, and each step brings it nearer.
 Proxy::Pull Proxy::pullOn(const Vector3d& device, const Vector3d& drag) const {
-  const Pull none{-1, 0, device - drag};
+  Pull none{-1, 0, device - drag};
   if (magneticDistance_ <= 0) return none;
   Pull pull = none;
   double least = std::numeric_limits<double>::max();
@@ -165,7 +165,7 @@ Vector3d Proxy::stepTo(const Pull& pull, const HalfSpaceProjection& free, Vector
   for (const HalfSpaceProjection::Active& active : touching.active()) addFriction(active.label, active.depth);
   if (holds) addFriction(pull.label, pull.height);
   if (still > 0) {
-    const Vector3d held = space_.nearestTo(anchor).point();
+    Vector3d held = space_.nearestTo(anchor).point();
     const Vector3d way = touching.point() - held;
     const double length = way.norm();
     if (length <= (slides_ ? sliding : still)) return held;

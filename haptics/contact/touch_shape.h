@@ -71,7 +71,7 @@ void visitNear(const TouchShape& shape, const Eigen::Vector3d& point, double rad
     }
     const FourNumbers squared = boxes.squaredDistance(p);
     // told first and visited then: a branch for each would be guessed wrong every other time
-    std::array<int, 4 * TouchMesh::kLeafSize> near;
+    std::array<int, std::size_t{4} * TouchMesh::kLeafSize> near;
     int count = 0;
     for (int c = 0; c < node.childCount; ++c) {
       if (squared[c] > squaredReach) continue;

@@ -126,7 +126,8 @@ std::vector<int> supernodesOf(const std::vector<std::vector<int>>& below) {
     const long added = merged * (tail + rowsB - rowsA);
     const long kept = zeros.back() + zeros[zeros.size() - 2] + added;
     const long width = merged + tail;
-    const double size = static_cast<double>(width * (width + 1) / 2 + width * rowsB);
+    const long entries = width * (width + 1) / 2 + width * rowsB;
+    const double size = static_cast<double>(entries);
     if (added > 0 && kept > kAlwaysMerged && static_cast<double>(kept) > kMostZeros * size) return false;
     firsts.pop_back();
     zeros.pop_back();
@@ -157,6 +158,7 @@ BlockCholesky::BlockCholesky(const BlockPattern& pattern, std::span<const int> u
   };
   const auto reorder = [&](const std::vector<int>& order) {
     std::vector<int> node;
+    node.reserve(order.size());
     for (const int p : order) node.push_back(node_[p]);
     node_ = node;
   };
@@ -186,7 +188,7 @@ void BlockCholesky::layOut(const std::vector<std::vector<int>>& below, std::span
   diagonal_.resize(3 * node_.size());
   update_.resize(at(mostRows) * at(mostRows));
   place_.resize(node_.size());
-  x_.resize(3 * n);
+  x_.resize(3L * n);
   gathered_.resize(mostRows);
 }
 
@@ -271,21 +273,21 @@ void BlockCholesky::solve(const NodeVectors& b, NodeVectors& x) {
   for (const Supernode& s : supernodes_) {  // L y = b
     const int width = 3 * (s.last - s.first), below = 3 * s.rowCount;
     const Eigen::OuterStride<> stride(width + below);
-    auto top = x_.segment(3 * s.first, width);
+    auto top = x_.segment(3L * s.first, width);
     ConstPanel(&panels_[s.panel], width, width, stride).triangularView<Eigen::Lower>().solveInPlace(top);
     if (below == 0) continue;
     auto sum = gathered_.head(below);
     sum.noalias() = ConstPanel(&panels_[s.panel + width], below, width, stride) * top;
-    for (int i = 0; i < s.rowCount; ++i) x_.segment<3>(3 * rows_[s.rows + i]) -= sum.segment<3>(3 * i);
+    for (int i = 0; i < s.rowCount; ++i) x_.segment<3>(3L * rows_[s.rows + i]) -= sum.segment<3>(3L * i);
   }
   for (auto s = supernodes_.rbegin(); s != supernodes_.rend(); ++s) {  // L^T x = y
     const int width = 3 * (s->last - s->first), below = 3 * s->rowCount;
     const Eigen::OuterStride<> stride(width + below);
-    auto top = x_.segment(3 * s->first, width);
+    auto top = x_.segment(3L * s->first, width);
     if (below > 0) {
       auto gathered = gathered_.head(below);
       for (int i = 0; i < s->rowCount; ++i)
-        gathered.segment<3>(3 * i) = x_.segment<3>(3 * rows_[s->rows + i]);
+        gathered.segment<3>(3L * i) = x_.segment<3>(3L * rows_[s->rows + i]);
       top.noalias() -= ConstPanel(&panels_[s->panel + width], below, width, stride).transpose() * gathered;
     }
     ConstPanel(&panels_[s->panel], width, width, stride)

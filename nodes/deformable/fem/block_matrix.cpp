@@ -38,7 +38,8 @@ void multiply(const BlockPattern& pattern, const BlockValues& values, const Node
   for (std::size_t i = 0; i + 1 < pattern.begin.size(); ++i) {
     auto slot = static_cast<std::size_t>(pattern.begin[i]);
     const auto end = static_cast<std::size_t>(pattern.begin[i + 1]);
-    const Eigen::Vector3d xi = x[i];
+    // a copy: what is written to y is not part of x, but the compiler can't know
+    const Eigen::Vector3d xi = x[i];  // NOLINT(performance-unnecessary-copy-initialization)
     Eigen::Vector3d yi = y[i] + values[slot] * xi;
     for (++slot; slot < end; ++slot) {
       const auto j = static_cast<std::size_t>(pattern.column[slot]);

@@ -101,7 +101,7 @@ SolidElements makeSolidElements(const SolidMesh& mesh) {
   all.pointsPerElement = static_cast<int>(points);
   all.nodeVolume.assign(mesh.nodes.size(), 0);
   for (int e = 0; e < mesh.elementCount(); ++e) {
-    const int* nodes = &mesh.elements[e * n];
+    const int* nodes = mesh.elements.data() + std::ptrdiff_t{e} * n;
     const double fill = mesh.fill.empty() ? 1 : mesh.fill[e];
     const double diameter = diameterOf(mesh, nodes);
     std::vector<Eigen::Vector3d> gradients;

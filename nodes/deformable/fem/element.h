@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,11 @@ struct SolidElements {
   int degenerateCount = 0;  ///< elements of the mesh left out: flat, inside out, or nearly so
 
   int count() const { return static_cast<int>(node.size()) / nodesPerElement; }
-  const int* nodesOf(int element) const { return &node[element * nodesPerElement]; }
+  const int* nodesOf(int element) const { return node.data() + std::ptrdiff_t{element} * nodesPerElement; }
   /// Of quadrature point element * pointsPerElement + q.
-  const Eigen::Vector3d* gradientsAt(int point) const { return &gradient[point * nodesPerElement]; }
+  const Eigen::Vector3d* gradientsAt(int point) const {
+    return gradient.data() + std::ptrdiff_t{point} * nodesPerElement;
+  }
 };
 
 /// Throws std::invalid_argument on a mesh that is empty, has over kMostElements or none that is not

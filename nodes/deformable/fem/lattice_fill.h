@@ -1,6 +1,6 @@
 #pragma once
 
-#include <compare>
+#include <utility>
 #include <vector>
 
 #include <pleura/nodes/deformable/fem/closed_surface.h>
@@ -11,7 +11,10 @@ namespace pleura {
 /// A part of the body that is in a cell.
 struct CellPart {
   int cell, part;
-  auto operator<=>(const CellPart&) const = default;
+  bool operator==(const CellPart&) const = default;
+  bool operator<(const CellPart& other) const {
+    return std::pair(cell, part) < std::pair(other.cell, other.part);
+  }
 };
 
 /// What a body fills of each cell of a grid.

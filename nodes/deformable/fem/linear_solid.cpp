@@ -16,7 +16,7 @@ BlockValues stiffnessOf(const SolidBody& body) {
   BlockValues values(body.pattern.slotCount(), Eigen::Matrix3d::Zero());
   auto slot = body.elementSlots.begin();
   for (int e = 0; e < elements.count(); ++e) {
-    const Eigen::Vector3d* mean = &elements.meanGradient[e * n];
+    const Eigen::Vector3d* mean = elements.meanGradient.data() + std::ptrdiff_t{e} * n;
     for (int a = 0; a < n; ++a)
       for (int b = a; b < n; ++b) {
         Eigen::Matrix3d block = Eigen::Matrix3d::Zero();

@@ -22,7 +22,7 @@ SolidMesh cutIntoTetrahedra(const Lattice& lattice) {
     const int element = lattice.elementOf[static_cast<std::size_t>(cell)];
     if (element < 0) continue;
     std::array<int, 8> corner;
-    std::copy_n(lattice.solid.elements.begin() + 8 * element, 8, corner.begin());
+    std::copy_n(lattice.solid.elements.begin() + 8L * element, 8, corner.begin());
     addTetrahedra(corner, lattice.grid.cellOf(cell).sum() % 2 == 1, cut.elements);
     cut.fill.insert(cut.fill.end(), kTetrahedraPerCell,
                     lattice.solid.fill[static_cast<std::size_t>(element)]);
