@@ -55,8 +55,9 @@ class Comparison {
         options_(options),
         breaths_(recordBreath(scene, options.seconds, options.moments)),
         table_(options.output / "tradeoff.csv",
-               fmt::format("{} for {} s, {} moments, {} elements, state {}", options.file.filename().string(),
-                           options.seconds, options.moments, options.elements, stateHash(scene))) {
+               fmt::format("{} for {} s, {} moments, {} elements, errors where nothing drives, state {}",
+                           options.file.filename().string(), options.seconds, options.moments,
+                           options.elements, stateHash(scene))) {
     if (breaths_.empty())
       throw Fault(options.file.string() +
                   ": names no contacts of an organ (LungContacts, DiaphragmContacts)");
@@ -96,7 +97,7 @@ class Comparison {
     } catch (const std::invalid_argument& refused) {
       return fmt::print(stderr, "{}, {}: left out: {}\n", breath.organ, tier.name(), refused.what());
     }
-    run.figures.error = shapeError(run.shapes, reference, breath.rest.triangles);
+    run.figures.error = shapeError(run.shapes, reference, breath.rest.triangles, breath.driven);
     for (const OrganBreath& other : breaths_) measureBeside(breath, other, run);
     table_.add(run.figures);
   }

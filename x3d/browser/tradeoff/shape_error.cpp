@@ -9,12 +9,16 @@ namespace pleura {
 
 ShapeError shapeError(std::span<const std::vector<Vec3f>> shapes,
                       std::span<const std::vector<Vec3f>> reference,
-                      std::span<const Eigen::Vector3i> triangles) {
+                      std::span<const Eigen::Vector3i> triangles, std::span<const int> driven) {
   ShapeError error;
+  if (reference.empty()) return error;
+  std::vector<bool> isDriven(reference[0].size(), false);
+  for (const int i : driven) isDriven[static_cast<std::size_t>(i)] = true;
   std::vector<double> distances;
   double squares = 0;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     for (std::size_t i = 0; i < shapes[k].size(); ++i) {
+      if (isDriven[i]) continue;
       const double distance = (shapes[k][i] - reference[k][i]).cast<double>().norm();
       distances.push_back(distance);
       squares += distance * distance;

@@ -10,7 +10,7 @@ namespace pleura {
 
 /// How far shapes are from what they should be, over the moments of a breath.
 struct ShapeError {
-  double rms = 0;           // [m] of the distances of points
+  double rms = 0;           // [m] of the distances of points that are not driven
   double percentile95 = 0;  // [m]
   double most = 0;          // [m]
   double volume = 0;        // the largest excess or lack, of the volume
@@ -18,10 +18,11 @@ struct ShapeError {
   double penetration = 0;   // [m] of a neighbour, more than at rest
 };
 
-/// Points against those of the reference, at the same moments.
+/// Points against those of the reference, at the same moments. Those that are driven are right in both, and
+/// count only towards the volume.
 ShapeError shapeError(std::span<const std::vector<Vec3f>> shapes,
                       std::span<const std::vector<Vec3f>> reference,
-                      std::span<const Eigen::Vector3i> triangles);
+                      std::span<const Eigen::Vector3i> triangles, std::span<const int> driven);
 
 /// A lung and the diaphragm below it, or any closed surface and what lies beside it.
 struct Neighbours {
