@@ -22,9 +22,15 @@ struct RenderOptions : SceneOptions {
   double framesPerSecond = 30;
 };
 
+/// What has a memory (a flow, what rises or falls) computes nothing while nobody looks: it is looked at for a
+/// second before the picture.
 void renderStill(const RenderOptions& options, Scene& scene, Playback& playback) {
-  playback.runUntil(options.at);
-  render::writePng(options.picture.view(scene)->picture(), options.output);
+  constexpr double kLookedAt = 1;  // [s]
+  const auto view = options.picture.view(scene);
+  playback.runUntil(options.at, [&](Time now) {
+    if (now > options.at - kLookedAt) view->view().update();
+  });
+  render::writePng(view->picture(), options.output);
 }
 
 /// Frames to a film or to numbered pictures in a folder; the clock steps with the frames unless --step is
