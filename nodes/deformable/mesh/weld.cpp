@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 #include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/mesh/weld.h>
@@ -28,46 +29,59 @@ struct CellHash {
   }
 };
 
-/// Points that stand for others, in cells as wide as the distance: a cell holds few of them, however dense
-/// the points.
+/// Points that stand for others, in cells four times as wide as the distance: a ball of it reaches into two
+/// along each axis at most, most often into one, and a cell holds few of them, however dense the points.
 class Representatives {
  public:
   Representatives(std::span<const Eigen::Vector3f> points, double distance)
-      : points_(points), distance_(distance) {}
+      : points_(points), distance_(distance), next_(points.size(), -1) {
+    last_.reserve(points.size());
+  }
 
-  /// The representative within the distance of the point, or the point itself, which is one from now on.
+  /// The first representative within the distance of the point, or the point itself, which is one from now
+  /// on.
   int findOrAdd(int point) {
     const Vector3d p = points_[point].cast<double>();
-    const int reach = distance_ > 0 ? 1 : 0;
-    for (int x = -reach; x <= reach; ++x)
-      for (int y = -reach; y <= reach; ++y)
-        for (int z = -reach; z <= reach; ++z)
-          if (const int found = findIn(cellOf(p, {x, y, z}), p); found >= 0) return found;
-    cells_[cellOf(p, {0, 0, 0})].push_back(point);
-    return point;
+    const Cell low = cellOf(p.array() - distance_), high = cellOf(p.array() + distance_);
+    int first = point;
+    for (int corner = 0; corner < 8; ++corner) {
+      Cell cell;
+      bool isRepeated = false;
+      for (int k = 0; k < 3; ++k) {
+        const bool isHigh = (corner >> k & 1) != 0;
+        cell[k] = isHigh ? high[k] : low[k];
+        isRepeated = isRepeated || (isHigh && low[k] == high[k]);
+      }
+      if (!isRepeated) first = firstIn(cell, p, first);
+    }
+    if (first == point) {
+      const auto [last, isNew] = last_.try_emplace(cellOf(p), point);
+      if (!isNew) next_[point] = std::exchange(last->second, point);
+    }
+    return first;
   }
 
  private:
-  Cell cellOf(const Vector3d& p, const std::array<int, 3>& offset) const {
+  Cell cellOf(const Eigen::Array3d& p) const {
     Cell cell;
-    for (int k = 0; k < 3; ++k) {
-      const double coordinate = distance_ > 0 ? std::floor(p[k] / distance_) : p[k];
-      cell[k] = coordinate + offset[k] + 0.0;  // + 0.0: minus zero is the same place
-    }
+    for (int k = 0; k < 3; ++k)
+      cell[k] =
+          (distance_ > 0 ? std::floor(p[k] / (4 * distance_)) : p[k]) + 0.0;  // + 0.0: -0 is the same place
     return cell;
   }
 
-  int findIn(const Cell& cell, const Vector3d& p) const {
-    const auto found = cells_.find(cell);
-    if (found == cells_.end()) return -1;
-    for (const int candidate : found->second)
-      if ((points_[candidate].cast<double>() - p).norm() <= distance_) return candidate;
-    return -1;
+  int firstIn(const Cell& cell, const Vector3d& p, int first) const {
+    const auto found = last_.find(cell);
+    if (found == last_.end()) return first;
+    for (int candidate = found->second; candidate >= 0; candidate = next_[candidate])
+      if (candidate < first && (points_[candidate].cast<double>() - p).norm() <= distance_) first = candidate;
+    return first;
   }
 
   std::span<const Eigen::Vector3f> points_;
   double distance_;
-  std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
+  std::unordered_map<Cell, int, CellHash> last_;  // representative in a cell
+  std::vector<int> next_;                         // representative in the same cell as this one; -1: none
 };
 
 }  // namespace
