@@ -34,7 +34,7 @@ class TouchMesh {
   /// The same for two points at one place.
   int welded(int point) const { return welded_[point]; }
 
-  /// Up to four boxes, or triangles, a node; parents before children.
+  /// Up to four children a node, each a node or kLeafSize triangles at most; parents before children.
   static constexpr int kLeafSize = 8;
   struct Child {
     int first;

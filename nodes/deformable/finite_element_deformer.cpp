@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -39,6 +40,12 @@ constexpr float kLocking = 0.45F;
 
 /// What targets in float are known to [m]: a drive of less is none, and can't be balanced.
 constexpr float kTargetRounding = 1e-7f;
+
+std::uint64_t latestStamp(std::span<Field* const> fields) {
+  std::uint64_t stamp = 0;
+  for (Field* field : fields) stamp = std::max(stamp, field->getStamp());
+  return stamp;
+}
 
 std::unique_ptr<SolidSolver> solverFor(const std::string& model, const SolidMesh& mesh,
                                        const SolidMaterial& material, const SolidConstraints& held) {
@@ -121,6 +128,10 @@ bool FiniteElementDeformer::hasTetrahedra() {
   return type == "TETRAHEDRON";
 }
 
+std::uint64_t FiniteElementDeformer::meshStamp() {
+  return latestStamp(std::array<Field*, 2>{&elements, &elementType});
+}
+
 void FiniteElementDeformer::setRest(const TriangleMesh& rest, std::span<const int> /*rigidPoints*/) {
   rest_ = rest;
   mesh_ = {};
@@ -129,7 +140,7 @@ void FiniteElementDeformer::setRest(const TriangleMesh& rest, std::span<const in
 }
 
 void FiniteElementDeformer::makeMesh() {
-  meshStamp_ = std::max(elements.getStamp(), elementType.getStamp());
+  meshStamp_ = meshStamp();
   const int perCell = hasTetrahedra() ? kTetrahedraPerCell : 1;
   Lattice lattice = makeLattice(rest_, {.elements = std::max(1, elements.getValue() / perCell)});
   embedding_ = embed(lattice, rest_.points);
@@ -174,9 +185,8 @@ bool FiniteElementDeformer::isAtRest(std::span<const Vec3f> targets) const {
 }
 
 void FiniteElementDeformer::solve(std::span<const int> driven, std::span<const Vec3f> targets) {
-  std::uint64_t stamp = 0;
-  for (Field* input : material()) stamp = std::max(stamp, input->getStamp());
-  if (std::max(elements.getStamp(), elementType.getStamp()) != meshStamp_) makeMesh();
+  const std::uint64_t stamp = latestStamp(material());
+  if (meshStamp() != meshStamp_) makeMesh();
   if (!solver_ || stamp != solverStamp_ ||
       !std::equal(driven.begin(), driven.end(), driven_.begin(), driven_.end()))
     makeSolver(driven);

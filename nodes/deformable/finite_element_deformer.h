@@ -43,6 +43,8 @@ class FiniteElementDeformer : public DeformerNode {
   /// Fields that a solver is made for.
   std::vector<Field*> material();
   bool hasTetrahedra();
+  /// Of the fields that the mesh is made for.
+  std::uint64_t meshStamp();
   void makeMesh();
   void makeSolver(std::span<const int> driven);
   bool isAtRest(std::span<const Vec3f> targets) const;

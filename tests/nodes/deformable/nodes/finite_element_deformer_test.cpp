@@ -78,8 +78,7 @@ TEST_F(FiniteElementDeformerTest, AsManyElementsAsAreAskedForAreMadeAboutAndAnew
   EXPECT_NEAR(deformer->elementCount.getValue(), 1000, 250);
 }
 
-/// Under pressure cubes and tetrahedra of the same nodes swell alike; squeezed at nu 0.4999 only tetrahedra
-/// lock, and say so.
+/// Under pressure cubes and tetrahedra of the same nodes swell alike.
 TEST_F(FiniteElementDeformerTest, TetrahedraAreTheCubesCutInFive) {
   const auto cubes = elements("LINEAR", 500), tetrahedra = elements("LINEAR", 2500, "TETRAHEDRON");
   EXPECT_EQ(tetrahedra->elementCount.getValue(), 5 * cubes->elementCount.getValue());
