@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <pleura/x3d/browser/tradeoff/advice.h>
-#include <pleura/x3d/browser/tradeoff/deformation_tier.h>
 
 namespace pleura {
 namespace {
@@ -63,15 +62,6 @@ TEST_F(Advice, SaysHowFarTheReferenceItselfIsToBeTrusted) {
   EXPECT_THAT(advice(figures), HasSubstr("The reference itself still moves by 0.25 mm from 480 elements"));
   figures.resize(3);
   EXPECT_THAT(advice(figures), Not(HasSubstr("still moves")));
-}
-
-TEST(DeformationTiers, EachIsFoundByItsNameAndElements) {
-  for (const DeformationTier& each : deformationTiers(60)) {
-    const DeformationTier found = tierOf(each.method, each.elements);
-    EXPECT_EQ(found.node, each.node);
-    EXPECT_EQ(found.fields, each.fields);
-  }
-  EXPECT_EQ(tierOf("magic", 60).node, "");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ TEST(DeformationTier, IsFoundAgainByMethodAndElements) {
   }
   EXPECT_EQ(tierOf("ChainMail", 60).node, "");
   EXPECT_EQ(tierOf("linear FEM", 0).node, "");
-  EXPECT_EQ(tierOf("guesswork", 60).node, "");
+  EXPECT_EQ(tierOf("magic", 60).node, "");
 }
 
 /// Cubes, and the tetrahedra that they are cut into, in lattices of the same cells.
