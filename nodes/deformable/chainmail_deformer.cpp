@@ -36,11 +36,15 @@ void ChainmailDeformer::setRest(const TriangleMesh& rest, std::span<const int> r
   workspace_.emplace(model_->topology.pointCount());
 }
 
-void ChainmailDeformer::deform(std::span<const int> driven, std::span<const Vec3f> targets,
-                               std::span<Vec3f> positions) {
-  const ChainmailOptions options{.smoothingSweeps = std::max(0, smoothing.getValue())};
-  const auto report = solveChainmail(*model_, *workspace_, driven, targets, options, positions);
-  violatedLinks.setValue(report.violatedLinks, id);
+void ChainmailDeformer::prepare(std::span<const int> /*driven*/) {
+  options_.smoothingSweeps = std::max(0, smoothing.getValue());
 }
+
+void ChainmailDeformer::solve(std::span<const int> driven, std::span<const Vec3f> targets,
+                              std::span<Vec3f> positions) {
+  report_ = solveChainmail(*model_, *workspace_, driven, targets, options_, positions);
+}
+
+void ChainmailDeformer::report() { violatedLinks.setValue(report_.violatedLinks, id); }
 
 }  // namespace pleura

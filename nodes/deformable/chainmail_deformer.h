@@ -19,14 +19,18 @@ class ChainmailDeformer : public DeformerNode {
   SFInt32 violatedLinks;
 
   void setRest(const TriangleMesh& rest, std::span<const int> rigidPoints) override;
-  void deform(std::span<const int> driven, std::span<const Vec3f> targets,
-              std::span<Vec3f> positions) override;
+  void prepare(std::span<const int> driven) override;
+  void solve(std::span<const int> driven, std::span<const Vec3f> targets,
+             std::span<Vec3f> positions) override;
+  void report() override;
 
   static void declare(NodeType& type);
 
  private:
   std::optional<ChainmailModel> model_;
   std::optional<ChainmailWorkspace> workspace_;
+  ChainmailOptions options_;
+  ChainmailReport report_;
 };
 
 }  // namespace pleura

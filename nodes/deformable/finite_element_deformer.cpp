@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -184,41 +185,50 @@ bool FiniteElementDeformer::isAtRest(std::span<const Vec3f> targets) const {
   return true;
 }
 
-void FiniteElementDeformer::solve(std::span<const int> driven, std::span<const Vec3f> targets) {
+void FiniteElementDeformer::prepare(std::span<const int> driven) {
+  if (driven.empty()) return;
   const std::uint64_t stamp = latestStamp(material());
   if (meshStamp() != meshStamp_) makeMesh();
   if (!solver_ || stamp != solverStamp_ ||
       !std::equal(driven.begin(), driven.end(), driven_.begin(), driven_.end()))
     makeSolver(driven);
   solverStamp_ = stamp;
+  pressure_ = double{pressure.getValue()} - restPressure.getValue();
+  step_ = std::numeric_limits<double>::infinity();
+  if (quasiStatic.getValue()) return;
+  step_ = std::max(0.0, context().time.getValue() - time_);
+  time_ = context().time.getValue();
+}
+
+SolidReport FiniteElementDeformer::move(std::span<const Vec3f> targets) {
+  if (step_ == 0) return report_;
+  const bool isStatic = std::isinf(step_);
+  if (isStatic) solver_->setState(atRest_);
+  if (isStatic && pressure_ == 0 && isAtRest(targets)) return {};
   inDouble(targets, targets_);
-  double h = std::numeric_limits<double>::infinity();
-  if (quasiStatic.getValue()) {
-    solver_->setState(atRest_);
-  } else {
-    h = context().time.getValue() - time_;
-    time_ = context().time.getValue();
-    if (h <= 0) return;
-  }
-  const double above = double{pressure.getValue()} - restPressure.getValue();
   std::transform(pull_.begin(), pull_.end(), forces_.begin(),
-                 [above](const Eigen::Vector3d& f) { return Eigen::Vector3d(above * f); });
-  if (quasiStatic.getValue() && above == 0 && isAtRest(targets)) return;
-  const SolidReport report = solver_->step(h, {.forces = forces_, .targets = targets_});
-  iterations.setValue(report.iterations, id);
-  residual.setValue(static_cast<float>(report.residual), id);
-  converged.setValueIfChanged(report.converged(), id);
-  if (report.outcome == SolidOutcome::stopped)
+                 [this](const Eigen::Vector3d& f) { return Eigen::Vector3d(pressure_ * f); });
+  return solver_->step(step_, {.forces = forces_, .targets = targets_});
+}
+
+void FiniteElementDeformer::report() {
+  iterations.setValue(report_.iterations, id);
+  residual.setValue(static_cast<float>(report_.residual), id);
+  converged.setValueIfChanged(report_.converged(), id);
+  if (report_.outcome == SolidOutcome::stopped)
     context().warn(*this, "the forces of a shape were not balanced in the iterations there are");
-  else if (!report.converged())
+  else if (!report_.converged())
     context().warn(*this, "a shape was not found: it is the last that was good");
 }
 
-void FiniteElementDeformer::deform(std::span<const int> driven, std::span<const Vec3f> targets,
-                                   std::span<Vec3f> positions) {
+void FiniteElementDeformer::solve(std::span<const int> driven, std::span<const Vec3f> targets,
+                                  std::span<Vec3f> positions) {
   requireFinite(targets);
-  if (driven.empty()) return void(std::copy(rest_.points.begin(), rest_.points.end(), positions.begin()));
-  solve(driven, targets);
+  if (driven.empty()) {
+    report_ = {};
+    return void(std::copy(rest_.points.begin(), rest_.points.end(), positions.begin()));
+  }
+  report_ = move(targets);
   interpolate(embedding_, solver_->state().position, points_);
   inFloat(points_, positions);
   for (std::size_t i = 0; i < driven.size(); ++i) positions[static_cast<std::size_t>(driven[i])] = targets[i];

@@ -33,8 +33,10 @@ class FiniteElementDeformer : public DeformerNode {
   SFBool converged;
 
   void setRest(const TriangleMesh& rest, std::span<const int> rigidPoints) override;
-  void deform(std::span<const int> driven, std::span<const Vec3f> targets,
-              std::span<Vec3f> positions) override;
+  void prepare(std::span<const int> driven) override;
+  void solve(std::span<const int> driven, std::span<const Vec3f> targets,
+             std::span<Vec3f> positions) override;
+  void report() override;
   std::vector<Field*> inputs() override;
 
   static void declare(NodeType& type);
@@ -48,7 +50,7 @@ class FiniteElementDeformer : public DeformerNode {
   void makeMesh();
   void makeSolver(std::span<const int> driven);
   bool isAtRest(std::span<const Vec3f> targets) const;
-  void solve(std::span<const int> driven, std::span<const Vec3f> targets);
+  SolidReport move(std::span<const Vec3f> targets);
 
   TriangleMesh rest_;
   SolidMesh mesh_;
@@ -59,6 +61,9 @@ class FiniteElementDeformer : public DeformerNode {
   std::uint64_t meshStamp_ = 0, solverStamp_ = 0;
   SolidState atRest_;
   Time time_ = 0;
+  double step_ = 0;      // of the next solve [s]; infinite: to the static answer; 0: none
+  double pressure_ = 0;  // inside less outside, above that at rest [Pa]
+  SolidReport report_;
   // Work space.
   std::vector<Eigen::Vector3d> targets_, points_;
   std::vector<Eigen::Vector3d> pull_;    // of a pressure of 1 Pa on the nodes, at rest [N]

@@ -76,22 +76,28 @@ std::uint64_t SpringDeformer::modelStamp() const {
   return isMadeOfGas ? std::max(stamp, pressure.getStamp()) : stamp;
 }
 
-void SpringDeformer::deform(std::span<const int> driven, std::span<const Vec3f> targets,
-                            std::span<Vec3f> positions) {
-  requireFinite(targets);
+void SpringDeformer::prepare(std::span<const int> /*driven*/) {
   if (!model_ || modelStamp() != modelStamp_) makeModel();
   if (auto* inside = std::get_if<PressureInterior>(&model_->interior))
     inside->difference = double{pressure.getValue()} - restPressure.getValue();
+}
+
+void SpringDeformer::solve(std::span<const int> driven, std::span<const Vec3f> targets,
+                           std::span<Vec3f> positions) {
+  requireFinite(targets);
   targets_.resize(targets.size());
   inDouble(targets, targets_);
-  const SpringReport report = solveSprings(*model_, *workspace_, driven, targets_, {}, positions_);
-  iterations.setValue(report.iterations, id);
-  residual.setValue(static_cast<float>(report.residual), id);
-  interiorPressure.setValue(static_cast<float>(report.pressure), id);
-  converged.setValueIfChanged(report.converged, id);
-  if (report.refused) throw std::invalid_argument("the springs refuse those driven points");
+  report_ = solveSprings(*model_, *workspace_, driven, targets_, {}, positions_);
+  if (report_.refused) throw std::invalid_argument("the springs refuse those driven points");
   inFloat(positions_, positions);
   for (std::size_t i = 0; i < driven.size(); ++i) positions[static_cast<std::size_t>(driven[i])] = targets[i];
+}
+
+void SpringDeformer::report() {
+  iterations.setValue(report_.iterations, id);
+  residual.setValue(static_cast<float>(report_.residual), id);
+  interiorPressure.setValue(static_cast<float>(report_.pressure), id);
+  converged.setValueIfChanged(report_.converged, id);
 }
 
 }  // namespace pleura

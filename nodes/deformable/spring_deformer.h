@@ -24,8 +24,10 @@ class SpringDeformer : public DeformerNode {
   SFFloat interiorPressure;
 
   void setRest(const TriangleMesh& rest, std::span<const int> rigidPoints) override;
-  void deform(std::span<const int> driven, std::span<const Vec3f> targets,
-              std::span<Vec3f> positions) override;
+  void prepare(std::span<const int> driven) override;
+  void solve(std::span<const int> driven, std::span<const Vec3f> targets,
+             std::span<Vec3f> positions) override;
+  void report() override;
   std::vector<Field*> inputs() override;
 
   static void declare(NodeType& type);
@@ -39,6 +41,7 @@ class SpringDeformer : public DeformerNode {
   std::optional<SpringModel> model_;
   std::optional<SpringWorkspace> workspace_;
   std::uint64_t modelStamp_ = 0;
+  SpringReport report_;
   std::vector<Eigen::Vector3d> targets_, positions_;
 };
 

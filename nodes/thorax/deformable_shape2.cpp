@@ -41,6 +41,11 @@ void DeformableShape2::declare(NodeType& type) {
       .means("height of the highest point of the deformed surface");
 }
 
+DeformableShape2::~DeformableShape2() {
+  solve_.cancel();
+  if (serving_) serving_->release(*this);
+}
+
 void DeformableShape2::onInitialize() {
   auto* composed = dynamic_cast<X3DComposedGeometryNode*>(geometry.get());
   auto* coordinate = composed != nullptr ? dynamic_cast<Coordinate*>(composed->coord.get()) : nullptr;
@@ -81,13 +86,20 @@ const TriangleMesh& DeformableShape2::rest() {
   return rest_;
 }
 
+void DeformableShape2::serveBy(std::shared_ptr<DeformerNode> solver) {
+  if (serving_) serving_->release(*this);
+  serving_ = nullptr;
+  if (!solver->serves(*this))
+    throw std::invalid_argument("deformer: " + solver->describe() + " serves another shape, and no second one");
+  serving_ = std::move(solver);
+}
+
 void DeformableShape2::takeRest() {
-  auto* solver = deformer.get();
-  if (solver == nullptr) return;
   const TriangleMesh& shape = rest();
   slot_.assign(shape.points.size(), -1);
   hearDeformer();
-  solver->setRest(shape, restRigid_);
+  serveBy(std::dynamic_pointer_cast<DeformerNode>(deformer.getValue()));
+  serving_->setRest(shape, restRigid_);
 }
 
 std::uint64_t DeformableShape2::restStamp(DeformerNode& solver) {
@@ -115,18 +127,29 @@ void DeformableShape2::drive(int point, const Vec3f& target) {
   targets_.push_back(target);
 }
 
-void DeformableShape2::takeTargets(std::vector<Vec3f>& positions) {
-  if (!std::all_of(targets_.begin(), targets_.end(), [](const Vec3f& p) { return isFinite(p); }))
-    throw std::invalid_argument("contactPoint: a point that is not finite");
-  for (std::size_t i = 0; i < driven_.size(); ++i)
-    positions[static_cast<std::size_t>(driven_[i])] = targets_[i];
+std::uint64_t DeformableShape2::inputStamp() {
+  std::uint64_t stamp = 0;
+  for (Field* input : deformedCoord.getRoutesIn()) {
+    input->upToDate();
+    stamp = std::max(stamp, input->getStamp());
+  }
+  return stamp;
 }
 
-void DeformableShape2::deform(std::vector<Vec3f>& positions) {
-  if (origCoord.empty()) return positions.clear();
-  if (positions.size() != origCoord.size()) positions = origCoord.getValue();
+void DeformableShape2::begin() {
+  if (deformedCoord.isUpToDate()) return;
+  const std::uint64_t inputs = inputStamp();
+  if (deformedCoord.isUpToDate() || inputs == preparedFor_) return;
+  prepare(inputs);
+  if (answer_ == Answer::solved) solve_.offer();
+}
+
+void DeformableShape2::prepare(std::uint64_t inputs) {
+  solve_.cancel();
+  preparedFor_ = inputs;
+  answer_ = Answer::none;
   auto* solver = deformer.get();
-  if (solver == nullptr) return;
+  if (solver == nullptr || origCoord.empty()) return;
   try {
     const std::uint64_t stamp = restStamp(*solver);
     const auto& rigid = rigidPoints();
@@ -143,8 +166,36 @@ void DeformableShape2::deform(std::vector<Vec3f>& positions) {
     gatherContacts();
     for (const int point : driven_) slot_[static_cast<std::size_t>(point)] = -1;
     ++solveCounter();
-    if (driven_.size() == positions.size()) return takeTargets(positions);
-    solver->deform(driven_, targets_, positions);
+    if (driven_.size() == origCoord.size()) return void(answer_ = Answer::targets);
+    solver->prepare(driven_);
+    solved_.resize(origCoord.size());
+    answer_ = Answer::solved;
+  } catch (const std::invalid_argument& refused) {
+    context().warn(*this, refused.what());
+  }
+}
+
+void DeformableShape2::takeTargets(std::vector<Vec3f>& positions) {
+  if (!std::all_of(targets_.begin(), targets_.end(), [](const Vec3f& p) { return isFinite(p); }))
+    throw std::invalid_argument("contactPoint: a point that is not finite");
+  for (std::size_t i = 0; i < driven_.size(); ++i)
+    positions[static_cast<std::size_t>(driven_[i])] = targets_[i];
+}
+
+void DeformableShape2::takeSolved(std::vector<Vec3f>& positions) {
+  solve_.finish();
+  positions.swap(solved_);
+  serving_->report();
+}
+
+void DeformableShape2::deform(std::vector<Vec3f>& positions) {
+  if (origCoord.empty()) return positions.clear();
+  if (positions.size() != origCoord.size()) positions = origCoord.getValue();
+  if (const std::uint64_t inputs = inputStamp(); inputs != preparedFor_) prepare(inputs);
+  preparedFor_ = 0;
+  try {
+    if (answer_ == Answer::targets) takeTargets(positions);
+    if (answer_ == Answer::solved) takeSolved(positions);
   } catch (const std::invalid_argument& refused) {
     context().warn(*this, refused.what());
   }

@@ -1,18 +1,21 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include <pleura/fields/joined_field.h>
 #include <pleura/nodes/core/typed_node_field.h>
 #include <pleura/nodes/deformable/deformer_node.h>
+#include <pleura/nodes/deformable/job.h>
 #include <pleura/nodes/standard/shape/touchable_shape.h>
 #include <pleura/nodes/standard/shape/x3d_shape_node.h>
 
 namespace pleura {
 
 /// A shape that deforms because some of its points are moved: an organ. Its geometry is an IndexedTriangleSet
-/// or IndexedFaceSet with a Coordinate, which shows `touchedCoord`. Nobody looks, nothing is computed.
+/// or IndexedFaceSet with a Coordinate, which shows `touchedCoord`. Nobody looks, nothing is computed. Organs
+/// that have begun are solved side by side, in as many threads as there are, to the same bits.
 class DeformableShape2 : public X3DShapeNode, public TouchableShape {
  public:
   TypedSFNode<DeformerNode> deformer;
@@ -43,6 +46,10 @@ class DeformableShape2 : public X3DShapeNode, public TouchableShape {
   };
   Top top;
 
+  ~DeformableShape2() override;
+
+  void begin() override;
+
   /// The rest shape with its triangles.
   const TriangleMesh& rest();
 
@@ -64,13 +71,19 @@ class DeformableShape2 : public X3DShapeNode, public TouchableShape {
   /// Fields that the deformer's answer depends on are inputs of the shape's, those of a later deformer too.
   void hearDeformer();
   void deform(std::vector<Vec3f>& positions);
-  bool givesWay();
+  /// Brings all that the shape depends on up to date; grows with each change of it.
+  std::uint64_t inputStamp();
+  /// Gathers what the answer is made of, for these inputs.
+  void prepare(std::uint64_t inputs);
   void takeRest();
+  void serveBy(std::shared_ptr<DeformerNode> solver);
+  bool givesWay();
   /// Grows when the deformer has to be given the shape at rest: another one, or, where it has refused it,
   /// once one of its own fields has changed.
   std::uint64_t restStamp(DeformerNode& solver);
   /// Every point is held: there is nothing left for the deformer to do.
   void takeTargets(std::vector<Vec3f>& positions);
+  void takeSolved(std::vector<Vec3f>& positions);
 
   TriangleMesh rest_;
   std::array<std::uint64_t, 2> meshStamps_{};
@@ -80,6 +93,13 @@ class DeformableShape2 : public X3DShapeNode, public TouchableShape {
   std::vector<int> driven_;
   std::vector<Vec3f> targets_;
   std::vector<int> slot_;  // of each point in driven_, -1: none
+
+  enum class Answer { none, targets, solved };
+  Answer answer_ = Answer::none;           // what prepare() found to be done
+  std::uint64_t preparedFor_ = 0;          // inputs; 0: none
+  std::shared_ptr<DeformerNode> serving_;  // that has taken the shape at rest
+  std::vector<Vec3f> solved_;
+  Job solve_{[this] { serving_->solve(driven_, targets_, solved_); }};  // last: it uses all the others
 };
 
 }  // namespace pleura

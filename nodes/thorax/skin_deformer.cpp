@@ -53,9 +53,12 @@ void SkinDeformer::setRest(const TriangleMesh& rest, std::span<const int>) {
   displacements_.resize(bodies.size());
 }
 
-void SkinDeformer::deform(std::span<const int>, std::span<const Vec3f>, std::span<Vec3f> positions) {
+void SkinDeformer::prepare(std::span<const int>) {
   for (std::size_t k = 0; k < displacements_.size(); ++k)
     displacements_[k] = displacementOf(static_cast<Transform&>(*bodies.getValueByIndex(k)));
+}
+
+void SkinDeformer::solve(std::span<const int>, std::span<const Vec3f>, std::span<Vec3f> positions) {
   carryAll(rest_, weights_, displacements_, positions);
 }
 

@@ -18,8 +18,9 @@ class SkinDeformer : public DeformerNode {
   MFFloat weight;
 
   void setRest(const TriangleMesh& rest, std::span<const int> rigidPoints) override;
-  void deform(std::span<const int> driven, std::span<const Vec3f> targets,
-              std::span<Vec3f> positions) override;
+  void prepare(std::span<const int> driven) override;
+  void solve(std::span<const int> driven, std::span<const Vec3f> targets,
+             std::span<Vec3f> positions) override;
   std::vector<Field*> inputs() override;
 
   /// One a point. Throws std::invalid_argument unless bodyIndex has one list for each of `points` points,

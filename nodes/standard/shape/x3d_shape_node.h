@@ -15,6 +15,10 @@ class X3DShapeNode : public X3DChildNode, public X3DBoundedObject {
   SFBool castShadow;
   TypedSFNode<X3DGeometryNode> geometry;
 
+  /// Starts what takes long of the shape, if it is out of date, beside what else is to be done: called for
+  /// all that somebody is about to read, before the first is read.
+  virtual void begin() {}
+
   static void declare(NodeType& type);
 };
 

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <pleura/nodes/deformable/job.h>
 #include <pleura/x3d/browser/commands/commands.h>
+#include <pleura/x3d/browser/commands/number_in.h>
 #include <pleura/x3d/browser/commands/scene_options.h>
 #include <pleura/x3d/browser/scene/state_hash.h>
 
@@ -18,6 +20,8 @@ void SceneOptions::addTo(CLI::App& command) {
                      "Where the haptic session is recorded, to be played again");
   command.add_option("--stylus", playback.touch.stylus,
                      "Path of the simulated stylus (CSV), or the recording");
+  command.add_option("--threads", threads, "Threads that organs are solved in; default: one a core")
+      ->check(numberIn(1, 64));
 }
 
 void SceneOptions::addPlaybackTo(CLI::App& command) {
@@ -31,6 +35,7 @@ void SceneOptions::addPlaybackTo(CLI::App& command) {
 }
 
 std::unique_ptr<Scene> SceneOptions::load() const {
+  if (threads) setThreads(*threads);
   auto scene = std::make_unique<Scene>();
   ReaderLimits limits;
   limits.outsideFolder = allowOutside;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,7 @@ struct SceneOptions {
   std::filesystem::path file;
   std::filesystem::path anatomy;
   bool allowOutside = false;
+  std::optional<int> threads;
   PlaybackOptions playback;
   bool stats = false;
   bool hash = false;

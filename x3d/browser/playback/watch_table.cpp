@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <pleura/fields/errors.h>
+#include <pleura/nodes/standard/shape/x3d_shape_node.h>
 #include <pleura/x3d/browser/playback/watch_table.h>
 
 namespace pleura {
@@ -46,6 +47,9 @@ void WatchTable::writeHeader(std::ostream& out) {
 }
 
 void WatchTable::writeRow(std::ostream& out, Time now) {
+  for (const auto& [path, field] : fields_)
+    if (auto* shape = dynamic_cast<X3DShapeNode*>(field->getOwner()); shape != nullptr && !field->isUpToDate())
+      shape->begin();
   out << fmt::format("{:.6g}", now);
   for (const auto& [path, field] : fields_)
     for (const auto& component : components(*field)) out << ',' << component;

@@ -52,6 +52,11 @@ void TouchScene::update() {
   for (Part& part : parts_) part.geometry = nullptr;
   for (const auto& node : scene_.document().nodes)
     if (node) visit(node, Matrix4f::Identity(), {});
+  const auto isThere = [](const Part& part) { return part.geometry != nullptr; };
+  for (const Part& part : parts_)
+    if (isThere(part)) part.shape->begin();
+  for (std::size_t id = 0; id < parts_.size(); ++id)
+    if (isThere(parts_[id])) updateSurface(parts_[id], surfaces_[id]);
 }
 
 void TouchScene::visit(const NodePtr& node, const Matrix4f& toWorld, const Called& around) {
@@ -104,7 +109,6 @@ void TouchScene::addPart(const NodePtr& node, X3DShapeNode& shape, const Matrix4
   part.surface = surface;
   if (part.called != called) part.called = called;
   part.toWorld = toWorld;
-  updateSurface(part, surfaces_[ids[place]]);
 }
 
 void TouchScene::updateSurface(const Part& part, Surface& surface) {

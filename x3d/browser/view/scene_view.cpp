@@ -47,7 +47,10 @@ render::DrawList& SceneView::update() {
   globalLights_ = 0;
   setCamera();  // which billboards and levels of detail look at; its depth range waits for the new box
   box_.setEmpty();
+  seen_.clear();
   visitAll(scene_.document().nodes, Matrix4f::Identity(), 0);
+  for (const Seen& one : seen_) one.shape->begin();
+  for (const Seen& one : seen_) addShape(one);
   for (auto& item : list_.items) item.lights |= globalLights_;
   std::erase_if(drawn_, [&](const auto& each) { return each.second.frame != frame_; });
   setCamera();
@@ -108,7 +111,7 @@ void SceneView::visitAll(std::span<const NodePtr> nodes, const Matrix4f& toWorld
 
 void SceneView::visit(const NodePtr& node, const Matrix4f& toWorld, std::uint32_t lights) {
   if (auto* shape = dynamic_cast<X3DShapeNode*>(node.get())) {
-    if (shape->visible.getValue()) addShape(*shape, toWorld, lights);
+    if (shape->visible.getValue()) seen_.push_back({shape, toWorld, lights});
     return;
   }
   if (auto* info = dynamic_cast<DeviceInfo*>(node.get())) return visitStyli(*info, lights);
@@ -133,7 +136,9 @@ void SceneView::visitStyli(DeviceInfo& info, std::uint32_t lights) {
   }
 }
 
-void SceneView::addShape(X3DShapeNode& shape, const Matrix4f& toWorld, std::uint32_t lights) {
+void SceneView::addShape(const Seen& one) {
+  const auto& [node, toWorld, lights] = one;
+  X3DShapeNode& shape = *node;
   render::Geometry* geometry = geometryOf(shape.geometry.getValue());
   if (geometry == nullptr || geometry->indices.empty()) return;
   const Surface surface = surfaceOf(shape);

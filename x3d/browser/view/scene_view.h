@@ -46,6 +46,13 @@ class SceneView {
     std::uint64_t frame = 0;
   };
 
+  /// A shape that is displayed, where it stands and what lights it.
+  struct Seen {
+    X3DShapeNode* shape;
+    Matrix4f toWorld;
+    std::uint32_t lights;
+  };
+
   /// Whether the renderer takes it; if not, the author is told why the node is not drawn.
   template <class Drawable>
   bool isDrawable(const Node& node, const Drawable& drawable);
@@ -56,7 +63,7 @@ class SceneView {
   std::uint32_t lightsAmong(std::span<const NodePtr> nodes, const Matrix4f& toWorld);
   /// The styli of the devices in use, where their tips are.
   void visitStyli(DeviceInfo& info, std::uint32_t lights);
-  void addShape(X3DShapeNode& shape, const Matrix4f& toWorld, std::uint32_t lights);
+  void addShape(const Seen& one);
   render::Geometry* geometryOf(const NodePtr& node);
   static void updateMesh(render::Geometry& out, const RenderMesh& mesh);
   void updateText(Drawn& drawn, Text& text);
@@ -67,6 +74,7 @@ class SceneView {
   std::optional<render::Camera> override_;
   Node* chosenViewpoint_ = nullptr;
 
+  std::vector<Seen> seen_;  // in this update
   render::DrawList list_;
   std::unordered_map<const Node*, Drawn> drawn_;
   std::uint64_t frame_ = 0;

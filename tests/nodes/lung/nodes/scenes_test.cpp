@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <pleura/nodes/deformable/job.h>
 #include <pleura/tests/nodes/lung/nodes/lung_scene.h>
 #include <pleura/x3d/browser/scene/state_hash.h>
+#include <pleura/x3d/browser/view/scene_view.h>
 
 namespace pleura {
 namespace {
@@ -23,6 +25,28 @@ TEST(Scenes, RunWithoutAFaultAndRepeatably) {
     EXPECT_EQ(run(), run()) << entry.path();
   }
   EXPECT_GE(count, 5);
+}
+
+/// Lungs of finite elements, seen at each tick, are solved side by side where there are threads for it.
+TEST(Scenes, AreTheSameBitsInAnyNumberOfThreads) {
+  const auto run = [](int threads) {
+    setThreads(threads);
+    Scene scene;
+    scene.load(sceneFolder() / "finite_element_lung.x3d");
+    for (const char* tissue : {"TISSUE_L", "TISSUE_R"}) {
+      scene.set(std::string(tissue) + ".elements=60");
+      scene.set(std::string(tissue) + ".model=COROTATIONAL");
+    }
+    SceneView view(scene);
+    for (int k = 0; k < 8; ++k) {
+      scene.tick(0.2 * k);
+      view.update();
+    }
+    setThreads(1);
+    return stateHash(scene);
+  };
+  const auto inOne = run(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(run(threads), inOne) << threads;
 }
 
 }  // namespace

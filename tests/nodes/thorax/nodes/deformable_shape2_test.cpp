@@ -1,6 +1,10 @@
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <pleura/nodes/deformable/mesh/measures.h>
+#include <pleura/nodes/deformable/solve_counter.h>
 #include <pleura/nodes/standard/geometry3d/indexed_face_set.h>
 #include <pleura/nodes/standard/rendering/coordinate.h>
 #include <pleura/nodes/thorax/deformable_shape2.h>
@@ -14,6 +18,7 @@ class Particular : public DeformerNode {
  public:
   SFFloat modulus;
   int shapesGiven = 0;
+  int reports = 0;
 
   static void declare(NodeType& type) {
     DeformerNode::declare(type);
@@ -25,9 +30,11 @@ class Particular : public DeformerNode {
     if (modulus.getValue() == 0) throw std::invalid_argument("modulus: above 0 is expected");
     rest_ = rest;
   }
-  void deform(std::span<const int>, std::span<const Vec3f> targets, std::span<Vec3f> positions) override {
+  void solve(std::span<const int>, std::span<const Vec3f> targets, std::span<Vec3f> positions) override {
+    requireFinite(targets);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = rest_.points[i] + targets[0];
   }
+  void report() override { ++reports; }
   std::vector<Field*> inputs() override { return {&modulus}; }
 
  private:
@@ -98,6 +105,73 @@ TEST_F(DeformableShape2Test, WhatIsHeldFromTheBeginningIsShownThoughNothingChang
   deformer->modulus.setValue(1);
   const auto held = triangle({{0, 0, 0.5f}});
   EXPECT_NEAR(points->point.getValue()[1].z(), 0.5f, 1e-6f);
+}
+
+TEST_F(DeformableShape2Test, WhatHasBegunIsSolvedOnceForWhatIsThenSo) {
+  setThreads(2);
+  deformer->modulus.setValue(1);
+  organ->contactPoint.setValue({{0, 0, 0.5f}});
+  const auto before = solveCounter();
+  organ->begin();
+  organ->begin();
+  EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 0.5f, 1e-6f);
+  organ->begin();
+  EXPECT_EQ(solveCounter(), before + 1);
+  EXPECT_EQ(deformer->reports, 1);
+  organ->contactPoint.setValue({{0, 0, 0.6f}});
+  organ->begin();
+  organ->contactPoint.setValue({{0, 0, 0.7f}});
+  EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 0.7f, 1e-6f);
+  EXPECT_EQ(deformer->reports, 2);
+  setThreads(1);
+}
+
+TEST_F(DeformableShape2Test, ADeformerMayBeReplacedAndTheShapeGoWhileTheyAreAtWork) {
+  setThreads(2);
+  deformer->modulus.setValue(1);
+  for (int k = 0; k < 100; ++k) {
+    organ->contactPoint.setValue({{0, 0, 0.01f * static_cast<float>(k)}});
+    organ->begin();
+    const auto next = context.make<Particular>();
+    next->modulus.setValue(1);
+    organ->deformer.setValue(next);
+    deformer = nullptr;
+    if (k % 2 == 0) {
+      EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 0.01f * static_cast<float>(k), 1e-6f);
+    }
+    deformer = next;
+  }
+  organ->contactPoint.setValue({{0, 0, 2}});
+  organ->begin();
+  organ = nullptr;
+  setThreads(1);
+}
+
+TEST_F(DeformableShape2Test, WhatThrowsBesideIsToldAndTheShapeStays) {
+  setThreads(2);
+  deformer->modulus.setValue(1);
+  breathe(1);
+  const std::vector<Vec3f> before = organ->deformedCoord.getValue();
+  organ->contactPoint.setValue({{0, 0, std::numeric_limits<float>::quiet_NaN()}});
+  organ->begin();
+  EXPECT_EQ(organ->deformedCoord.getValue(), before);
+  ASSERT_EQ(context.warnings.size(), 1u);
+  EXPECT_THAT(context.warnings[0], ::testing::HasSubstr("not finite"));
+  setThreads(1);
+}
+
+TEST_F(DeformableShape2Test, ADeformerOfAnotherShapeIsRefusedUntilThatLetsItGo) {
+  deformer->modulus.setValue(1);
+  breathe(1);
+  const auto second = triangle({{0, 0, 0.5f}});
+  EXPECT_EQ(second->deformedCoord.getValue(), second->origCoord.getValue());
+  ASSERT_EQ(context.warnings.size(), 1u);
+  EXPECT_THAT(context.warnings[0], ::testing::HasSubstr("serves another shape"));
+  breathe(1);
+  EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 0.2f, 1e-6f);
+  organ = nullptr;
+  second->origCoord.setValue({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
+  EXPECT_NEAR(second->deformedCoord.getValue()[1].z(), 1.5f, 1e-6f);
 }
 
 }  // namespace

@@ -60,6 +60,19 @@ TEST(Laziness, AnOrganThatIsShownAgainIsWhereItBelongs) {
             valueOf<MFVec3f>(*shown, "LUNG_L.deformedCoord"));
 }
 
+TEST(Laziness, NothingIsBegunThatNobodySees) {
+  const auto scene = breathingThorax();
+  scene->set("LUNG_L.visible=false");
+  SceneView view(*scene);
+  scene->tick(0);
+  view.update();
+  const auto before = valueOf<MFVec3f>(*scene, "LUNG_L.deformedCoord");
+  scene->tick(1);
+  view.update();
+  EXPECT_FALSE(scene->field("LUNG_L.deformedCoord").isUpToDate());
+  EXPECT_TRUE(scene->field("LUNG_R.deformedCoord").isUpToDate());
+}
+
 TEST(Laziness, RibsAloneLoadNoOrgan) {
   const TemporaryFolder folder;
   std::filesystem::copy(sceneFolder() / "anatomy/rib_l5.x3d", folder.path() / "rib_l5.x3d");
