@@ -1,4 +1,6 @@
+#include <atomic>
 #include <limits>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,6 +20,7 @@ class Particular : public DeformerNode {
  public:
   SFFloat modulus;
   int shapesGiven = 0;
+  std::atomic<int> solves = 0;
   int reports = 0;
 
   static void declare(NodeType& type) {
@@ -33,6 +36,7 @@ class Particular : public DeformerNode {
   void solve(std::span<const int>, std::span<const Vec3f> targets, std::span<Vec3f> positions) override {
     requireFinite(targets);
     for (std::size_t i = 0; i < positions.size(); ++i) positions[i] = rest_.points[i] + targets[0];
+    ++solves;
   }
   void report() override { ++reports; }
   std::vector<Field*> inputs() override { return {&modulus}; }
@@ -120,6 +124,7 @@ TEST_F(DeformableShape2Test, WhatHasBegunIsSolvedOnceForWhatIsThenSo) {
   EXPECT_EQ(deformer->reports, 1);
   organ->contactPoint.setValue({{0, 0, 0.6f}});
   organ->begin();
+  while (deformer->solves < 2) std::this_thread::yield();
   organ->contactPoint.setValue({{0, 0, 0.7f}});
   EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 0.7f, 1e-6f);
   EXPECT_EQ(deformer->reports, 2);
