@@ -24,16 +24,14 @@ std::string errorOf(const TierFigures& f) {
                      1e3 * f.error.most, 100 * f.error.volume);
 }
 
-/// How far the reference is from the finest tier of its own kind: what is less can't be told.
+/// How far the reference was moved by its correction: what is less can't be told.
 std::string doubtOf(std::span<const TierFigures> figures, const std::string& organ) {
-  const TierFigures* finest = nullptr;
-  for (const auto& f : figures)
-    if (f.organ == organ && f.method == kReferenceModel &&
-        (finest == nullptr || f.elements > finest->elements))
-      finest = &f;
-  if (finest == nullptr || finest->error.rms <= 0) return {};
-  return fmt::format("The reference itself still moves by {:.2g} mm from {} elements to its own. ",
-                     1e3 * finest->error.rms, finest->elements);
+  const auto reference = std::find_if(figures.begin(), figures.end(), [&organ](const TierFigures& f) {
+    return f.organ == organ && f.method == kReferenceMethod;
+  });
+  if (reference == figures.end() || reference->error.rms <= 0) return {};
+  return fmt::format("The reference itself was moved by {:.2g} mm when its {} elements were refined. ",
+                     1e3 * reference->error.rms, reference->elements);
 }
 
 }  // namespace

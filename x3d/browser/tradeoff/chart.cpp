@@ -72,11 +72,15 @@ void drawField(std::span<const TierFigures> figures, const std::string& organ, d
   using enum Drawing::Label::Anchor;
   std::vector<const TierFigures*> shown;
   for (const auto& f : figures)
-    if (f.organ == organ && f.method != kReferenceMethod && f.median > 0) shown.push_back(&f);
-  if (shown.empty()) return;
+    if (f.organ == organ && f.method != kReferenceMethod) shown.push_back(&f);
+  const auto byElements = [](auto* a, auto* b) { return a->elements < b->elements; };
+  std::stable_sort(shown.begin(), shown.end(), byElements);
+  const auto isFree = [](auto* f) { return f->median <= 0; };
+  const auto costing = std::stable_partition(shown.begin(), shown.end(), isFree);
+  if (costing == shown.end()) return;
   const auto byCost = [](auto* a, auto* b) { return millisecondsOf(*a) < millisecondsOf(*b); };
   const auto byError = [](auto* a, auto* b) { return millimetresOf(*a) < millimetresOf(*b); };
-  const auto [cheap, dear] = std::minmax_element(shown.begin(), shown.end(), byCost);
+  const auto [cheap, dear] = std::minmax_element(costing, shown.end(), byCost);
   const auto [good, bad] = std::minmax_element(shown.begin(), shown.end(), byError);
   const Scale cost = scaleOf(millisecondsOf(**cheap), millisecondsOf(**dear)),
               error = scaleOf(millimetresOf(**good), millimetresOf(**bad));
@@ -101,9 +105,15 @@ void drawField(std::span<const TierFigures> figures, const std::string& organ, d
   for (const auto& [method, number] : colourOf) {
     const auto& colour = kColours[number % kColours.size()];
     Drawing::Line line{{}, colour, true};
-    for (const auto* f : shown)
-      if (f->method == method) line.points.push_back(place(millisecondsOf(*f), millimetresOf(*f)));
-    drawing.lines.push_back(line);
+    for (const auto* f : shown) {
+      if (f->method != method) continue;
+      const Point at = place(millisecondsOf(*f), millimetresOf(*f));
+      if (isFree(f))
+        drawing.lines.push_back({{{kLeft, at[1]}, {right, at[1]}}, colour});
+      else
+        line.points.push_back(at);
+    }
+    if (!line.points.empty()) drawing.lines.push_back(line);
     drawing.labels.push_back(
         {{right + 16, top + kTop + 18 * (static_cast<double>(number) + 1)}, method, 12, begin, colour});
   }

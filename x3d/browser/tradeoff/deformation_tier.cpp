@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include <pleura/x3d/browser/tradeoff/deformation_tier.h>
@@ -49,10 +50,14 @@ DeformationTier tierOf(const std::string& method, int elements) {
   return {};
 }
 
-DeformationTier referenceTier(int elements) {
-  DeformationTier tier = tierOf(kReferenceModel, elements);
-  tier.method = kReferenceMethod;
-  return tier;
+ReferenceTiers referenceTiers(int coarse) {
+  constexpr int kMost = 20000;  // that FiniteElementDeformer takes
+  constexpr auto kLinear = "linear FEM";
+  const int elements = 64 * coarse;
+  ReferenceTiers tiers{tierOf(kReferenceModel, elements), tierOf(kLinear, elements),
+                       tierOf(kLinear, std::min(3 * elements, kMost))};
+  tiers.nonlinear.method = kReferenceMethod;
+  return tiers;
 }
 
 }  // namespace pleura

@@ -27,7 +27,11 @@ inline constexpr auto kReferenceMethod = "reference";
 /// The method whose finest lattice is the reference.
 inline constexpr auto kReferenceModel = "Neo-Hookean FEM";
 
-/// What all are measured against: stable Neo-Hookean, that many elements.
-DeformationTier referenceTier(int elements);
+/// What all are measured against: stable Neo-Hookean, two levels finer than the coarsest lattice, corrected
+/// by what linear elements still move from there to `finer` (see corrected_shapes.h).
+struct ReferenceTiers {
+  DeformationTier nonlinear, linear, finer;
+};
+ReferenceTiers referenceTiers(int coarse);
 
 }  // namespace pleura

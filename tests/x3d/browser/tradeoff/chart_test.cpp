@@ -58,6 +58,24 @@ TEST(Chart, AFieldForEachOrganAndNoneForTheReference) {
   EXPECT_THAT(chartAsSvg(figures), Not(HasSubstr("reference")));
 }
 
+TEST(Chart, ALineGoesFromTheCoarsestLatticeToTheFinest) {
+  std::vector<TierFigures> figures{tier("LUNG", "linear FEM", 10, 0.1), tier("LUNG", "linear FEM", 0.1, 10)};
+  figures[0].elements = 3840;
+  figures[1].elements = 60;
+  const auto points = pointsOf(chartAsSvg(figures), "#1e599e");
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_LT(points[0][0], points[1][0]);
+}
+
+TEST(Chart, WhatCostsNothingIsALineAcross) {
+  const std::vector<TierFigures> figures{tier("LUNG", "smooth fill", 0, 2), tier("LUNG", "ChainMail", 1, 3)};
+  const auto points = pointsOf(chartAsSvg(figures), "#1e599e");
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_GT(points[1][0], points[0][0] + 400);
+  EXPECT_DOUBLE_EQ(points[1][1], points[0][1]);
+  EXPECT_THAT(chartAsSvg(figures), HasSubstr(">smooth fill<"));
+}
+
 TEST(Chart, NamesOfOrgansAreTextWhateverTheyHold) {
   const std::vector<TierFigures> figures{tier("L<'&\"\\", "linear FEM", 1, 1)};
   EXPECT_THAT(chartAsSvg(figures), HasSubstr("L&lt;&apos;&amp;\"\\: error"));

@@ -28,10 +28,13 @@ TEST(DeformationTier, HasTwoLatticesForEachKindOfElements) {
                                              "Neo-Hookean FEM 60", "Neo-Hookean FEM 480"}));
 }
 
-TEST(DeformationTier, ReferenceIsTheNonlinearModel) {
-  const DeformationTier reference = referenceTier(3840);
-  EXPECT_EQ(reference.method, kReferenceMethod);
-  EXPECT_EQ(reference.fields, tierOf(kReferenceModel, 3840).fields);
+TEST(DeformationTier, ReferenceIsTheNonlinearModelCorrectedByTheLinear) {
+  const auto [nonlinear, linear, finer] = referenceTiers(60);
+  EXPECT_EQ(nonlinear.method, kReferenceMethod);
+  EXPECT_EQ(nonlinear.fields, tierOf(kReferenceModel, 3840).fields);
+  EXPECT_EQ(linear.name(), "linear FEM 3840");
+  EXPECT_EQ(finer.name(), "linear FEM 11520");
+  EXPECT_EQ(referenceTiers(300).finer.elements, 20000) << "what the node takes";
 }
 
 }  // namespace
