@@ -29,13 +29,14 @@ std::vector<TubeStation> measuredStations(const Table& table, std::size_t firstR
 }
 
 // The measured start lies on the oblique end face of the rib, up to 11 mm from the last centre of its
-// centreline: begin inside the bone instead.
+// centreline: begin inside the bone instead, narrow enough not to come out of its sides.
 void growIntoRib(std::vector<TubeStation>& stations, const Rib& rib) {
   const std::size_t nearest = nearestPoint(rib.centreline, stations.front().centre.cast<float>());
   TubeStation inside = stations.front();
   inside.centre = rib.centreline[std::min<std::size_t>(nearest, kRibSamples - 2) - 1].cast<double>();
-  inside.halfMajor *= 0.8;
-  inside.halfMinor *= 0.8;
+  constexpr double kNarrow = 0.55;
+  inside.halfMajor *= kNarrow;
+  inside.halfMinor *= kNarrow;
   stations.insert(stations.begin(), inside);
 }
 
