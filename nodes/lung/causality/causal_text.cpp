@@ -153,41 +153,49 @@ std::string phase(const CausalChain& chain) {
                "atmospheric, and air begins to come in.";
 }
 
-const char* becauseOfGas(const CausalChain& chain) {
-  if (chain.isDraining) return "gas is between them until the drain has taken it out";
+/// Why the lung does not follow the chest wall, and a sentence of what comes of it.
+struct GasReason {
+  std::string because;
+  std::string then;
+};
+
+GasReason becauseOfGas(const CausalChain& chain) {
+  if (chain.isDraining) return {"gas is between them until the drain has taken it out", ""};
   switch (chain.pneumothorax) {
     case Pneumothorax::open:
-      return "the wound lets air into the pleural space and out of it: its pressure stays near atmospheric, "
-             "and "
-             "the elastic lung shrinks to the size it has when nothing stretches it";
+      return {"the wound lets air into the pleural space and out of it",
+              "The pressure there stays near atmospheric, and the elastic lung shrinks to the size it has "
+              "when nothing stretches it."};
     case Pneumothorax::tension:
-      return chain.pleuralGauge == Sign::rises ? "gas that came into the pleural space cannot leave it: its "
-                                                 "pressure is above atmospheric and "
-                                                 "presses the lung together"
-                                               : "gas comes into the pleural space and cannot leave it: its "
-                                                 "pressure rises to atmospheric and "
-                                                 "stretches the lung less and less";
+      return chain.pleuralGauge == Sign::rises
+                 ? GasReason{"gas that came into the pleural space cannot leave it",
+                             "The pressure there is above atmospheric and presses the lung together."}
+                 : GasReason{"gas comes into the pleural space and cannot leave it",
+                             "The pressure there rises to atmospheric and stretches the lung less and less."};
     default:
-      return "gas that came into the pleural space lies between them: its pressure is nearer to atmospheric "
-             "and "
-             "stretches the lung less";
+      return {"gas that came into the pleural space lies between them",
+              "The pressure there is nearer to atmospheric and stretches the lung less."};
   }
 }
 
-std::string gas(const CausalChain& chain) {
-  if (!chain.hasGas) return "";
-  switch (chain.following) {
+const char* followsThough(Following following) {
+  switch (following) {
     case Following::fully:
-      return std::string("The lung still follows the chest wall, but at a distance, because ") +
-             becauseOfGas(chain) + ".";
+      return "The lung still follows the chest wall, but at a distance, because ";
     case Following::partly:
-      return std::string("The lung follows the chest wall only in part because ") + becauseOfGas(chain) + ".";
+      return "The lung follows the chest wall only in part because ";
     case Following::hardly:
-      return std::string("The lung no longer follows the chest wall because ") + becauseOfGas(chain) + ".";
+      return "The lung no longer follows the chest wall because ";
     case Following::unasked:
       break;
   }
-  return std::string("The lung does not fill the chest cavity because ") + becauseOfGas(chain) + ".";
+  return "The lung does not fill the chest cavity because ";
+}
+
+std::array<std::string, 2> gas(const CausalChain& chain) {
+  if (!chain.hasGas) return {};
+  const auto [because, then] = becauseOfGas(chain);
+  return {followsThough(chain.following) + because + ".", then};
 }
 
 }  // namespace
@@ -214,7 +222,8 @@ std::string sentence(const CausalChain& chain, Quantity quantity) {
 
 std::vector<std::string> tell(const CausalChain& chain) {
   std::vector<std::string> text;
-  for (const std::string& opening : {phase(chain), gas(chain)})
+  const auto [because, then] = gas(chain);
+  for (const std::string& opening : {phase(chain), because, then})
     if (!opening.empty()) text.push_back(opening);
   for (int k = 0; k < kQuantities; ++k) text.push_back(sentence(chain, static_cast<Quantity>(k)));
   return text;
