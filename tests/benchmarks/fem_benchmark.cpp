@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 #include <benchmark/benchmark.h>
@@ -11,6 +10,7 @@
 #include <pleura/nodes/deformable/fem/lattice.h>
 #include <pleura/nodes/deformable/fem/linear_solid.h>
 #include <pleura/nodes/deformable/fem/neo_hookean_solid.h>
+#include <pleura/nodes/deformable/job.h>
 #include <pleura/tests/nodes/deformable/fem/solid_bodies.h>
 #include <pleura/tests/nodes/deformable/springs/geodesic_sphere.h>
 
@@ -174,21 +174,17 @@ struct BreathingLung {
 template <class Solid, class... Options>
 void bothLungs(benchmark::State& state, const Options&... options) {
   const int kind = static_cast<int>(state.range(0));
-  const bool inTwoThreads = state.range(1) == 2;
+  setThreads(static_cast<int>(state.range(1)));
   BreathingLung<Solid> right(Lung(11000, kind, 1, -0.08), options...);
   BreathingLung<Solid> left(Lung(9000, kind, 0.93, 0.08), options...);
   double time = 0, residual = 0;
+  SolidReport onTheRight, onTheLeft;
+  Job stepRight([&] { onTheRight = right.step(time); });
+  Job stepLeft([&] { onTheLeft = left.step(time); });
   for (auto _ : state) {
     time += right.kLungStep;
-    SolidReport onTheRight;
-    const auto stepRight = [&] { onTheRight = right.step(time); };
-    std::thread beside;
-    if (inTwoThreads)
-      beside = std::thread(stepRight);
-    else
-      stepRight();
-    const SolidReport onTheLeft = left.step(time);
-    if (inTwoThreads) beside.join();
+    for (Job* step : {&stepRight, &stepLeft}) step->offer();
+    for (Job* step : {&stepRight, &stepLeft}) step->finish();
     residual = std::max({residual, onTheRight.residual, onTheLeft.residual});
   }
   state.counters["elements"] = right.solid.body().elements.count() + left.solid.body().elements.count();

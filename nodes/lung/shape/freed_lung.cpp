@@ -15,6 +15,9 @@ namespace {
 /// k = kWallStiffness times a point's area: at the 500 Pa of a resting lung it sinks half a millimetre in.
 constexpr double kWallStiffness = 1e6;  // [Pa/m]
 
+/// Room that rounding does not use up.
+constexpr float kLeastRoom = 1e-5f;  // [m]
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// The nodes whose elements hold points of the hilum.
@@ -67,6 +70,7 @@ FreedLung::FreedLung(const Lattice& lattice, const TriangleMesh& rest, std::span
       slope_(rest.points.size()),
       normals_(rest.points.size()),
       wall_(rest.points, rest.triangles),
+      room_(rest.points.size()),
       touches_(rest.points.size()) {
   if (!(material.compliance > 0) || !std::isfinite(material.compliance))
     throw std::invalid_argument("compliance: above 0 is expected");
@@ -163,12 +167,42 @@ bool FreedLung::touch(std::span<const Eigen::Vector3f> cavity, std::span<const E
   return hasChanged;
 }
 
+double FreedLung::keepInside(const Eigen::Vector3f& onWall, Eigen::Vector3f& point) const {
+  constexpr double kRounding = 1.001;
+  const Eigen::Vector3d p = point.cast<double>();
+  const double reach = kRounding * (p - onWall.cast<double>()).norm();
+  const auto nearest = wall_.closestPointWithin(p, reach);
+  if (!nearest) return 0;
+  if (wall_.pseudonormal(*nearest).dot(p - nearest->point) <= 0) return nearest->distance;
+  point = nearest->point.cast<float>();
+  return 0;
+}
+
 void FreedLung::keepInside(std::span<const Eigen::Vector3f> cavity, std::span<Eigen::Vector3f> points) {
+  constexpr float kUnknown = -1;
   wall_.refit(cavity);
-  for (Eigen::Vector3f& point : points) {
-    const SurfacePoint nearest = wall_.closestPoint(point.cast<double>());
-    if (wall_.pseudonormal(nearest).dot(point.cast<double>() - nearest.point) > 0)
-      point = nearest.point.cast<float>();
+  std::fill(room_.begin(), room_.end(), kUnknown);
+  for (const Eigen::Vector3i& triangle : rest_.triangles) {
+    for (const int corner : triangle) {
+      float& room = room_[at(corner)];
+      if (room != kUnknown) continue;
+      Eigen::Vector3f& point = points[at(corner)];
+      for (const int other : triangle)
+        room = std::max(room, room_[at(other)] - (points[at(other)] - point).norm());
+      if (room <= kLeastRoom) room = static_cast<float>(keepInside(cavity[at(corner)], point));
+    }
+  }
+}
+
+void FreedLung::settle(double volume, std::span<const Eigen::Vector3f> cavity,
+                       std::span<Eigen::Vector3f> points, FreedLungReport& report) {
+  constexpr int kMostSolves = 12;
+  for (int k = 0; k < kMostSolves && !report.hasConverged; ++k) {
+    addWall(cavity);
+    ++report.solves;
+    if (!solve()) return;
+    report.pressure = inflate(volume, points);
+    report.hasConverged = !touch(cavity, points);
   }
 }
 
@@ -177,14 +211,10 @@ FreedLungReport FreedLung::shape(double volume, std::span<const Eigen::Vector3f>
   FreedLungReport report;
   vertexNormals(cavity, rest_.triangles, normals_);
   takeHilum(cavity);
-  std::fill(touches_.begin(), touches_.end(), char{0});
-  constexpr int kMostSolves = 12;
-  while (!report.hasConverged && report.solves < kMostSolves) {
-    addWall(cavity);
-    ++report.solves;
-    if (!solve()) break;
-    report.pressure = inflate(volume, points);
-    report.hasConverged = !touch(cavity, points);
+  settle(volume, cavity, points, report);
+  if (!report.hasConverged) {
+    std::fill(touches_.begin(), touches_.end(), char{0});
+    settle(volume, cavity, points, report);
   }
   report.touching = static_cast<int>(std::count(touches_.begin(), touches_.end(), char{1}));
   keepInside(cavity, points);

@@ -50,10 +50,18 @@ class FreedLung {
             const FreedLungMaterial& material);
   void takeHilum(std::span<const Eigen::Vector3f> cavity);
   void addWall(std::span<const Eigen::Vector3f> cavity);
+  /// Begins with the points that touched last: which touch in the end does not depend on that.
+  void settle(double volume, std::span<const Eigen::Vector3f> cavity, std::span<Eigen::Vector3f> points,
+              FreedLungReport& report);
   bool solve();
   /// Sets `points` to those of that volume; q.
   double inflate(double volume, std::span<Eigen::Vector3f> points) const;
+  /// Each point that is outside goes to the wall. What is within the room around a neighbour that is inside
+  /// is inside too.
   void keepInside(std::span<const Eigen::Vector3f> cavity, std::span<Eigen::Vector3f> points);
+  /// How much room there is around the point, at least [m], once it is inside; `onWall` is a place of the
+  /// wall.
+  double keepInside(const Eigen::Vector3f& onWall, Eigen::Vector3f& point) const;
   /// Which points the wall holds; whether that has changed.
   bool touch(std::span<const Eigen::Vector3f> cavity, std::span<const Eigen::Vector3f> points);
 
@@ -72,6 +80,7 @@ class FreedLung {
   std::vector<Eigen::Vector3d> base_, slope_;       // of points: x = base + q slope
   std::vector<Eigen::Vector3f> normals_;
   SurfaceQuery wall_;
+  std::vector<float> room_;  // around points, without any wall [m]
   std::vector<char> touches_;
 };
 
