@@ -2,6 +2,7 @@
 
 #include <pleura/haptics/device/device_presets.h>
 #include <pleura/nodes/core/node_type.h>
+#include <pleura/nodes/core/scene_context.h>
 #include <pleura/nodes/haptic/simulated_device.h>
 
 namespace pleura {
@@ -37,6 +38,14 @@ void SimulatedDevice::declare(NodeType& type) {
   type.field<&SimulatedDevice::encoderStep>("encoderStep", initializeOnly, -1)
       .measuredIn(Unit::length)
       .means("from one position that is told to the next; -1: the model's");
+}
+
+void SimulatedDevice::onInitialize() {
+  try {
+    settings();
+  } catch (const haptics::DeviceError& refused) {
+    context().warn(*this, refused.what());
+  }
 }
 
 haptics::DeviceSettings SimulatedDevice::settings() {

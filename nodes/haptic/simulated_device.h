@@ -24,6 +24,10 @@ class SimulatedDevice : public HapticsDeviceNode {
   std::string file() override;
 
   static void declare(NodeType& type);
+
+ protected:
+  /// Tells what settings() would refuse, before anybody opens the device.
+  void onInitialize() override;
 };
 
 }  // namespace pleura

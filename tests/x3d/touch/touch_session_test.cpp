@@ -141,6 +141,14 @@ TEST(TouchSession, WhatTheSceneSaysWrongIsAWarningAndTheRestGoesOn) {
   }
 }
 
+TEST(TouchSession, WhatNoDeviceCanBeIsToldWhereNobodyOpensIt) {
+  for (const char* bad : {"model='Omnni'", "key='0 1' keyValue='0 0 0'"}) {
+    const auto scene =
+        sceneOf(std::string("<DeviceInfo><SimulatedDevice DEF='STYLUS' ") + bad + "/></DeviceInfo>");
+    EXPECT_EQ(scene->diagnostics().warnings(), 1u) << bad;
+  }
+}
+
 TEST(TouchSession, ADeadmansSwitchHoldsTheForceBack) {
   const auto scene = sceneOf(blockAndStylus(kSmooth, 0.005, "deadmansSwitch='true'"));
   Playback playback(*scene, {});
