@@ -90,7 +90,8 @@ void DeformableShape2::serveBy(std::shared_ptr<DeformerNode> solver) {
   if (serving_) serving_->release(*this);
   serving_ = nullptr;
   if (!solver->serves(*this))
-    throw std::invalid_argument("deformer: " + solver->describe() + " serves another shape, and no second one");
+    throw std::invalid_argument("deformer: " + solver->describe() +
+                                " serves another shape, and no second one");
   serving_ = std::move(solver);
 }
 

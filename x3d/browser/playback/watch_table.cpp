@@ -48,7 +48,8 @@ void WatchTable::writeHeader(std::ostream& out) {
 
 void WatchTable::writeRow(std::ostream& out, Time now) {
   for (const auto& [path, field] : fields_)
-    if (auto* shape = dynamic_cast<X3DShapeNode*>(field->getOwner()); shape != nullptr && !field->isUpToDate())
+    if (auto* shape = dynamic_cast<X3DShapeNode*>(field->getOwner());
+        shape != nullptr && !field->isUpToDate())
       shape->begin();
   out << fmt::format("{:.6g}", now);
   for (const auto& [path, field] : fields_)

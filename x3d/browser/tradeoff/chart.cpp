@@ -49,12 +49,13 @@ struct Drawing {
 
 /// Decades from one number to another.
 struct Scale {
-  double from, to;  // exponents of ten
+  int from, to;  // exponents of ten
   double of(double x) const { return (std::log10(x) - from) / (to - from); }
 };
 
 Scale scaleOf(double least, double most) {
-  const double from = std::floor(std::log10(least)), to = std::ceil(std::log10(most));
+  const auto from = static_cast<int>(std::floor(std::log10(least)));
+  const auto to = static_cast<int>(std::ceil(std::log10(most)));
   return {from, std::max(to, from + 1)};
 }
 
@@ -89,12 +90,12 @@ void drawField(std::span<const TierFigures> figures, const std::string& organ, d
     return {kLeft + cost.of(ms) * (right - kLeft), bottom - error.of(mm) * (bottom - top - kTop)};
   };
   constexpr std::array<double, 3> kGrid{0.82, 0.82, 0.82};
-  for (double e = cost.from; e <= cost.to; ++e) {
+  for (int e = cost.from; e <= cost.to; ++e) {
     const double x = place(std::pow(10, e), std::pow(10, error.from))[0];
     drawing.lines.push_back({{{x, top + kTop}, {x, bottom}}, kGrid});
     drawing.labels.push_back({{x, bottom + 16}, fmt::format("{:g}", std::pow(10, e)), 11, middle});
   }
-  for (double e = error.from; e <= error.to; ++e) {
+  for (int e = error.from; e <= error.to; ++e) {
     const double y = place(std::pow(10, cost.from), std::pow(10, e))[1];
     drawing.lines.push_back({{{kLeft, y}, {right, y}}, kGrid});
     drawing.labels.push_back({{kLeft - 8, y + 4}, fmt::format("{:g}", std::pow(10, e)), 11, end});
