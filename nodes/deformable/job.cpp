@@ -9,6 +9,9 @@
 
 namespace pleura {
 
+/// About what a helper takes to wake.
+constexpr auto kWorthAHelper = std::chrono::microseconds(50);
+
 /// The threads of the program that do what is offered, first come first served.
 class Helpers {
  public:
@@ -25,7 +28,7 @@ class Helpers {
 
   void offer(Job& job) {
     const std::lock_guard lock(mutex_);
-    if (job.stage_ != Job::Stage::idle || count_ == 0) return;
+    if (count_ == 0 || job.stage_ != Job::Stage::idle || job.lastTook_ < kWorthAHelper) return;
     start();
     job.stage_ = Job::Stage::waiting;
     waiting_.push_back(&job);
@@ -113,11 +116,13 @@ void Job::cancel() {
 }
 
 void Job::run() noexcept {
+  const auto begun = Clock::now();
   try {
     work_();
   } catch (...) {
     thrown_ = std::current_exception();
   }
+  lastTook_ = Clock::now() - begun;
 }
 
 void setThreads(int count) { Helpers::all().setCount(count - 1); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <exception>
 #include <functional>
 
@@ -16,7 +17,8 @@ class Job {
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
-  /// Lets a helper begin. Offered already: nothing happens.
+  /// Lets a helper begin, unless it took so little last time that it is done sooner here. Offered already:
+  /// nothing happens.
   void offer();
   /// Returns when the work is done: does it here where no helper has begun. Rethrows what it threw.
   void finish();
@@ -25,12 +27,14 @@ class Job {
 
  private:
   friend class Helpers;
+  using Clock = std::chrono::steady_clock;
   enum class Stage { idle, waiting, running, done };
 
   void run() noexcept;
 
   std::function<void()> work_;
   std::exception_ptr thrown_;
+  Clock::duration lastTook_ = Clock::duration::max();
   Stage stage_ = Stage::idle;  // of Helpers' lock, while offered
 };
 

@@ -83,6 +83,21 @@ TEST(Job, TwoAreDoneSideBySide) {
   setThreads(1);
 }
 
+TEST(Job, WhatTakesNoTimeIsLeftToWhoNeedsIt) {
+  setThreads(2);
+  std::thread::id by;
+  Job job([&by] { by = std::this_thread::get_id(); });
+  job.finish();
+  for (int k = 0; k < 10; ++k) {
+    by = {};
+    job.offer();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(by, std::thread::id());
+    job.finish();
+  }
+  setThreads(1);
+}
+
 TEST(Job, InOneThreadNothingIsDoneBeforeItIsNeeded) {
   setThreads(1);
   std::thread::id by;
