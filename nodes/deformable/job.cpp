@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include <pthread.h>
+#include <sched.h>
+
 #include <pleura/nodes/deformable/job.h>
 
 namespace pleura {
@@ -30,6 +33,7 @@ class Helpers {
     const std::lock_guard lock(mutex_);
     if (count_ == 0 || job.stage_ != Job::Stage::idle || job.lastTook_ < kWorthAHelper) return;
     start();
+    keepHelpersAway();
     job.stage_ = Job::Stage::waiting;
     waiting_.push_back(&job);
     offered_.notify_one();
@@ -60,6 +64,18 @@ class Helpers {
     while (threads_.size() < static_cast<std::size_t>(count_)) threads_.emplace_back([this] { work(); });
   }
 
+  /// From the core that offers: half of the time Linux would wake a helper there, though another is idle.
+  void keepHelpersAway() {
+    const int core = sched_getcpu();
+    if (core == keptAwayFrom_) return;
+    cpu_set_t others;
+    if (sched_getaffinity(0, sizeof others, &others) != 0 || CPU_COUNT(&others) < 2) return;
+    CPU_CLR(core, &others);
+    for (std::thread& thread : threads_)
+      pthread_setaffinity_np(thread.native_handle(), sizeof others, &others);
+    keptAwayFrom_ = core;
+  }
+
   void stop() {
     {
       const std::lock_guard lock(mutex_);
@@ -69,6 +85,7 @@ class Helpers {
     for (std::thread& thread : threads_) thread.join();
     threads_.clear();
     isStopping_ = false;
+    keptAwayFrom_ = kNowhere;
   }
 
   void work() {
@@ -99,6 +116,8 @@ class Helpers {
   std::condition_variable offered_, done_;
   std::vector<Job*> waiting_;
   std::vector<std::thread> threads_;
+  static constexpr int kNowhere = -1;
+  int keptAwayFrom_ = kNowhere;
   int count_ = std::max(static_cast<int>(std::thread::hardware_concurrency()), 1) - 1;
   bool isStopping_ = false;
 };
