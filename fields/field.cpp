@@ -1,10 +1,7 @@
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include <pleura/fields/errors.h>
 #include <pleura/fields/field.h>
 #include <pleura/fields/propagation.h>
+#include <pleura/fields/range_text.h>
 
 namespace pleura {
 
@@ -37,12 +34,7 @@ void Field::refuseGet() const {
   throw FieldAccessError(getFullName() + " is " + std::string(name(access_)) + ": it can't be read");
 }
 
-void Field::refuseRange(std::size_t at) const {
-  const auto& d = *declaration_;
-  if (!std::isfinite(d.maximum)) throw FieldParseError(fmt::format("at least {}", d.minimum), at);
-  if (!std::isfinite(d.minimum)) throw FieldParseError(fmt::format("at most {}", d.maximum), at);
-  throw FieldParseError(fmt::format("{} to {}", d.minimum, d.maximum), at);
-}
+void Field::refuseRange(std::size_t at) const { throw FieldParseError(rangeText(*declaration_), at); }
 
 bool Field::acceptsInput(const Field& from, std::size_t, std::string& why) const {
   if (from.getType() == getType()) return true;

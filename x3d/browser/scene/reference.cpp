@@ -1,20 +1,12 @@
-#include <cmath>
-
 #include <fmt/format.h>
 
+#include <pleura/fields/range_text.h>
 #include <pleura/x3d/browser/scene/reference.h>
 #include <pleura/x3d/encoding/xml_text.h>
 
 namespace pleura {
 
 namespace {
-
-std::string range(const NodeField& field) {
-  if (!field.isBounded()) return {};
-  if (!std::isfinite(field.maximum)) return fmt::format("{} or more", field.minimum);
-  if (!std::isfinite(field.minimum)) return fmt::format("{} or less", field.maximum);
-  return fmt::format("{} to {}", field.minimum, field.maximum);
-}
 
 std::string escaped(std::string_view text, char what, std::string_view by) {
   std::string out;
@@ -38,7 +30,7 @@ std::string referenceAsText(const NodeType& type) {
     out += fmt::format("  {:<11} {:<14} {:<22} {}", name(field->type), name(field->access), field->name,
                        field->defaultText);
     if (field->unit != Unit::none) out += fmt::format(" [{}]", symbol(field->unit));
-    if (const auto within = range(*field); !within.empty()) out += fmt::format(" ({})", within);
+    if (const auto within = rangeText(*field); !within.empty()) out += fmt::format(" ({})", within);
     if (!field->meaning.empty()) out += fmt::format("\n{:42}{}", "", field->meaning);
     out += "\n";
   }
@@ -55,7 +47,7 @@ std::string referenceAsMarkdown(const std::vector<const NodeType*>& types) {
     for (const auto& field : type->fields())
       out += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", field->name, name(field->type),
                          name(field->access), escaped(field->defaultText, '|', "\\|"), symbol(field->unit),
-                         range(*field), field->meaning);
+                         rangeText(*field), field->meaning);
     out += "\n";
   }
   return out;
