@@ -55,7 +55,7 @@ void DeformableShape2::onInitialize() {
   for (Field* input :
        std::initializer_list<Field*>{&deformer, &origCoord, &rigid_points, &contactIndex, &contactPoint})
     input->routeNoEvent(deformedCoord, id);
-  hearDeformer();
+  deformBy(deformer.getValue());
   deformedCoord.routeNoEvent(volume, id);
   deformedCoord.routeNoEvent(top, id);
   deformedCoord.routeNoEvent(touchedCoord, id);
@@ -67,8 +67,19 @@ void DeformableShape2::onInitialize() {
 }
 
 void DeformableShape2::hearDeformer() {
-  if (auto* solver = deformer.get())
-    for (Field* input : solver->inputs()) input->routeNoEvent(deformedCoord, id);
+  auto solver = std::dynamic_pointer_cast<DeformerNode>(deformer.getValue());
+  if (!solver) return;
+  for (Field* input : solver->inputs()) input->routeNoEvent(deformedCoord, id);
+  serveBy(std::move(solver));
+}
+
+void DeformableShape2::deformBy(const NodePtr& chosen) {
+  deformer.setValue(chosen);
+  try {
+    hearDeformer();
+  } catch (const std::invalid_argument& refused) {
+    context().warn(*this, refused.what());
+  }
 }
 
 bool DeformableShape2::givesWay() {
@@ -87,6 +98,9 @@ const TriangleMesh& DeformableShape2::rest() {
 }
 
 void DeformableShape2::serveBy(std::shared_ptr<DeformerNode> solver) {
+  if (solver == serving_) return;
+  solve_.cancel();
+  preparedFor_ = 0;
   if (serving_) serving_->release(*this);
   serving_ = nullptr;
   if (!solver->serves(*this))
@@ -99,7 +113,6 @@ void DeformableShape2::takeRest() {
   const TriangleMesh& shape = rest();
   slot_.assign(shape.points.size(), -1);
   hearDeformer();
-  serveBy(std::dynamic_pointer_cast<DeformerNode>(deformer.getValue()));
   serving_->setRest(shape, restRigid_);
 }
 

@@ -50,6 +50,9 @@ class DeformableShape2 : public X3DShapeNode, public TouchableShape {
 
   void begin() override;
 
+  /// Leaves the points that nothing moves to that deformer from now on.
+  void deformBy(const NodePtr& chosen);
+
   /// The rest shape with its triangles.
   const TriangleMesh& rest();
 
@@ -69,14 +72,15 @@ class DeformableShape2 : public X3DShapeNode, public TouchableShape {
 
  private:
   /// Fields that the deformer's answer depends on are inputs of the shape's, those of a later deformer too.
+  /// Throws std::invalid_argument where it serves another shape.
   void hearDeformer();
+  void serveBy(std::shared_ptr<DeformerNode> solver);
   void deform(std::vector<Vec3f>& positions);
   /// Brings all that the shape depends on up to date; grows with each change of it.
   std::uint64_t inputStamp();
   /// Gathers what the answer is made of, for these inputs.
   void prepare(std::uint64_t inputs);
   void takeRest();
-  void serveBy(std::shared_ptr<DeformerNode> solver);
   bool givesWay();
   /// Grows when the deformer has to be given the shape at rest: another one, or, where it has refused it,
   /// once one of its own fields has changed.

@@ -39,7 +39,7 @@ void OrganDeformation::onInitialize() {
   if (!used) used = choose(*organ);
   if (!used) return;
   held->fillsBetween.setValue(false);
-  organ->deformer.setValue(used);
+  organ->deformBy(used);
   chosen.setValue(used->type().name(), id);
 }
 

@@ -186,6 +186,24 @@ TEST(ThoraxScene, AnOrganDeformsAsItsSceneSays) {
   EXPECT_GT(differing, static_cast<int>(filled.size() - held.size()) / 2);
 }
 
+TEST(ThoraxScene, ADeformerOfTwoOrgansIsTold) {
+  const auto scene = thoraxWith(
+      "<IMPORT inlineDEF='BREATHING' importedDEF='LUNG_R'/>"
+      "<IMPORT inlineDEF='BREATHING' importedDEF='LUNG_R_CONTACTS'/>"
+      "<OrganDeformation><LungContacts USE='LUNG_L_CONTACTS' containerField='contacts'/>"
+      "<ChainmailDeformer DEF='CHAIN'/></OrganDeformation>"
+      "<OrganDeformation><LungContacts USE='LUNG_R_CONTACTS' containerField='contacts'/>"
+      "<ChainmailDeformer USE='CHAIN'/></OrganDeformation>");
+  ASSERT_EQ(scene->diagnostics().all().size(), 1u);
+  EXPECT_THAT(scene->diagnostics().all()[0].message,
+              testing::HasSubstr("LUNG_R: deformer: CHAIN serves another shape"));
+  scene->tick(0);
+  for (const char* lung : {"LUNG_L", "LUNG_R"})
+    EXPECT_EQ(valueOf<MFVec3f>(*scene, std::string(lung) + ".deformedCoord").size(),
+              valueOf<MFVec3f>(*scene, std::string(lung) + ".origCoord").size());
+  EXPECT_EQ(scene->diagnostics().all().size(), 1u);
+}
+
 TEST(ThoraxScene, AnOrganDeformationWithoutContactsIsTold) {
   const auto scene = thoraxWith("<OrganDeformation DEF='NONE'><ChainmailDeformer/></OrganDeformation>");
   ASSERT_EQ(scene->diagnostics().all().size(), 1u);
