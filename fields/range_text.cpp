@@ -18,7 +18,7 @@ bool beginsAboveZero(const FieldDeclaration& d) {
 std::string rangeText(const FieldDeclaration& d) {
   if (!d.isBounded()) return {};
   if (!std::isfinite(d.minimum)) return "at most " + number(d.maximum);
-  const std::string least = beginsAboveZero(d) ? "above 0" : "at least " + number(d.minimum);
+  std::string least = beginsAboveZero(d) ? "above 0" : "at least " + number(d.minimum);
   if (!std::isfinite(d.maximum)) return least;
   if (beginsAboveZero(d)) return least + ", at most " + number(d.maximum);
   return number(d.minimum) + " to " + number(d.maximum);
