@@ -196,8 +196,8 @@ void FiniteElementDeformer::prepare(std::span<const int> driven) {
   pressure_ = double{pressure.getValue()} - restPressure.getValue();
   step_ = std::numeric_limits<double>::infinity();
   if (quasiStatic.getValue()) return;
-  step_ = std::max(0.0, context().time.getValue() - time_);
-  time_ = context().time.getValue();
+  asked_ = context().time.getValue();
+  step_ = std::max(0.0, asked_ - time_);
 }
 
 SolidReport FiniteElementDeformer::move(std::span<const Vec3f> targets) {
@@ -208,6 +208,7 @@ SolidReport FiniteElementDeformer::move(std::span<const Vec3f> targets) {
   inDouble(targets, targets_);
   std::transform(pull_.begin(), pull_.end(), forces_.begin(),
                  [this](const Eigen::Vector3d& f) { return Eigen::Vector3d(pressure_ * f); });
+  if (!isStatic) time_ = asked_;
   return solver_->step(step_, {.forces = forces_, .targets = targets_});
 }
 

@@ -50,6 +50,7 @@ class FiniteElementDeformer : public DeformerNode {
   void makeMesh();
   void makeSolver(std::span<const int> driven);
   bool isAtRest(std::span<const Vec3f> targets) const;
+  /// Moves the elements on to what was asked for.
   SolidReport move(std::span<const Vec3f> targets);
 
   TriangleMesh rest_;
@@ -60,7 +61,8 @@ class FiniteElementDeformer : public DeformerNode {
   std::vector<int> driven_;  // that the solver was made for
   std::uint64_t meshStamp_ = 0, solverStamp_ = 0;
   SolidState atRest_;
-  Time time_ = 0;
+  Time time_ = 0;        // of the state
+  Time asked_ = 0;       // of the next solve
   double step_ = 0;      // of the next solve [s]; infinite: to the static answer; 0: none
   double pressure_ = 0;  // inside less outside, above that at rest [Pa]
   SolidReport report_;

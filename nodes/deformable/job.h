@@ -3,6 +3,7 @@
 #include <chrono>
 #include <exception>
 #include <functional>
+#include <utility>
 
 namespace pleura {
 
@@ -11,7 +12,7 @@ namespace pleura {
 /// belong to one thread.
 class Job {
  public:
-  /// `work` allocates and throws what it likes; it must outlive no one it uses.
+  /// `work` may throw; what it uses lives longer than the job.
   explicit Job(std::function<void()> work) : work_(std::move(work)) {}
   ~Job() { cancel(); }
   Job(const Job&) = delete;
@@ -35,7 +36,7 @@ class Job {
   std::function<void()> work_;
   std::exception_ptr thrown_;
   Clock::duration lastTook_ = Clock::duration::max();
-  Stage stage_ = Stage::idle;  // of Helpers' lock, while offered
+  Stage stage_ = Stage::idle;  // under Helpers' lock
 };
 
 /// How many threads work from now on, this one among them; 1: all is done here. Waits for those that run.

@@ -103,7 +103,7 @@ void DeformableShape2::serveBy(std::shared_ptr<DeformerNode> solver) {
   preparedFor_ = 0;
   if (serving_) serving_->release(*this);
   serving_ = nullptr;
-  if (!solver->serves(*this))
+  if (solver && !solver->serves(*this))
     throw std::invalid_argument("deformer: " + solver->describe() +
                                 " serves another shape, and no second one");
   serving_ = std::move(solver);
@@ -163,7 +163,8 @@ void DeformableShape2::prepare(std::uint64_t inputs) {
   preparedFor_ = inputs;
   answer_ = Answer::none;
   auto* solver = deformer.get();
-  if (solver == nullptr || origCoord.empty()) return;
+  if (solver == nullptr) return serveBy(nullptr);
+  if (origCoord.empty()) return;
   try {
     const std::uint64_t stamp = restStamp(*solver);
     const auto& rigid = rigidPoints();

@@ -6,11 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <pleura/nodes/deformable/finite_element_deformer.h>
 #include <pleura/nodes/deformable/mesh/measures.h>
 #include <pleura/nodes/deformable/solve_counter.h>
 #include <pleura/nodes/standard/geometry3d/indexed_face_set.h>
 #include <pleura/nodes/standard/rendering/coordinate.h>
 #include <pleura/nodes/thorax/deformable_shape2.h>
+#include <pleura/tests/nodes/deformable/chainmail/icosphere.h>
 #include <pleura/tests/nodes/test_context.h>
 
 namespace pleura {
@@ -180,9 +182,51 @@ TEST_F(DeformableShape2Test, ADeformerOfAnotherShapeIsRefusedUntilThatLetsItGo) 
   EXPECT_EQ(second->deformedCoord.getValue(), second->origCoord.getValue());
   breathe(1);
   EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 0.2f, 1e-6f);
-  organ = nullptr;
+  organ->deformer.setValue(nullptr);
+  organ->deformedCoord.upToDate();
   second->origCoord.setValue({{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
   EXPECT_NEAR(second->deformedCoord.getValue()[1].z(), 1.5f, 1e-6f);
+}
+
+/// A ball of finite elements with inertia, pulled by its first point.
+std::shared_ptr<DeformableShape2> movingBall(TestContext& context) {
+  const TriangleMesh ball = icosphere(1, 0.05f);
+  const auto points = context.make<Coordinate>([&](Coordinate& c) { c.point.setValue(ball.points); });
+  const auto faces = context.make<IndexedFaceSet>([&](IndexedFaceSet& f) {
+    std::vector<int> index;
+    for (const Eigen::Vector3i& t : ball.triangles) index.insert(index.end(), {t[0], t[1], t[2], -1});
+    f.coord.setValue(points);
+    f.coordIndex.setValue(index);
+  });
+  return context.make<DeformableShape2>([&](DeformableShape2& shape) {
+    shape.geometry.setValue(faces);
+    shape.deformer.setValue(context.make<FiniteElementDeformer>([](FiniteElementDeformer& tissue) {
+      tissue.model.setValue("LINEAR");
+      tissue.elements.setValue(8);
+      tissue.quasiStatic.setValue(false);
+    }));
+    shape.contactIndex.setValue({0, 3, 5, 9});
+  });
+}
+
+TEST(DeformableShape2, AStepOfTimeThatWasBegunAndOvertakenIsNotLost) {
+  setThreads(1);
+  TestContext context;
+  const auto straight = movingBall(context), overtaken = movingBall(context);
+  const auto pulled = [&](float by) {
+    std::vector<Vec3f> targets;
+    for (const int i : {0, 3, 5, 9})
+      targets.push_back(straight->origCoord.getValue()[static_cast<std::size_t>(i)] + Vec3f(by, 0, 0));
+    return targets;
+  };
+  for (int k = 1; k <= 4; ++k) {
+    context.tick(0.05 * k);
+    overtaken->contactPoint.setValue(pulled(-0.01f));
+    overtaken->begin();
+    for (const auto& ball : {straight, overtaken}) ball->contactPoint.setValue(pulled(0.005f));
+    EXPECT_EQ(overtaken->deformedCoord.getValue(), straight->deformedCoord.getValue()) << k;
+  }
+  EXPECT_NE(straight->deformedCoord.getValue()[1], straight->origCoord.getValue()[1]);
 }
 
 }  // namespace
