@@ -143,9 +143,10 @@ void DeformableShape2::drive(int point, const Vec3f& target) {
 
 std::uint64_t DeformableShape2::inputStamp() {
   std::uint64_t stamp = 0;
-  for (Field* input : deformedCoord.getRoutesIn()) {
-    input->upToDate();
-    stamp = std::max(stamp, input->getStamp());
+  const auto& inputs = deformedCoord.getRoutesIn();
+  for (std::size_t i = 0; i < inputs.size(); ++i) {  // in a cycle one more may come meanwhile
+    inputs[i]->upToDate();
+    stamp = std::max(stamp, inputs[i]->getStamp());
   }
   return stamp;
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <pleura/nodes/deformable/job.h>
+#include <pleura/tests/nodes/deformable/in_threads.h>
 
 namespace pleura {
 namespace {
@@ -19,8 +20,7 @@ bool comes(const std::atomic<bool>& flag) {
 
 class JobTest : public ::testing::TestWithParam<int> {
  protected:
-  JobTest() { setThreads(GetParam()); }
-  ~JobTest() override { setThreads(1); }
+  const InThreads threads_{GetParam()};
 };
 
 TEST_P(JobTest, IsDoneOnceForEachTimeItIsFinished) {
@@ -62,7 +62,7 @@ TEST_P(JobTest, WhatIsCancelledOrGoneIsNotDoneAfterwards) {
 INSTANTIATE_TEST_SUITE_P(Threads, JobTest, ::testing::Values(1, 2, 4));
 
 TEST(Job, TwoAreDoneSideBySide) {
-  setThreads(2);
+  const InThreads all(2);
   std::atomic<bool> isFirst = false, isSecond = false;
   bool sawSecond = false, sawFirst = false;
   Job first([&] {
@@ -80,11 +80,10 @@ TEST(Job, TwoAreDoneSideBySide) {
   second.finish();
   EXPECT_TRUE(sawSecond);
   EXPECT_TRUE(sawFirst);
-  setThreads(1);
 }
 
 TEST(Job, WhatTakesNoTimeIsLeftToWhoNeedsIt) {
-  setThreads(2);
+  const InThreads all(2);
   std::thread::id by;
   Job job([&by] { by = std::this_thread::get_id(); });
   job.finish();
@@ -95,11 +94,10 @@ TEST(Job, WhatTakesNoTimeIsLeftToWhoNeedsIt) {
     EXPECT_EQ(by, std::thread::id());
     job.finish();
   }
-  setThreads(1);
 }
 
 TEST(Job, InOneThreadNothingIsDoneBeforeItIsNeeded) {
-  setThreads(1);
+  const InThreads all(1);
   std::thread::id by;
   Job job([&by] { by = std::this_thread::get_id(); });
   job.offer();

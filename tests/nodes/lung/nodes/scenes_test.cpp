@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <pleura/nodes/deformable/job.h>
+#include <pleura/tests/nodes/deformable/in_threads.h>
 #include <pleura/tests/nodes/lung/nodes/lung_scene.h>
 #include <pleura/x3d/browser/scene/state_hash.h>
 #include <pleura/x3d/browser/view/scene_view.h>
@@ -30,7 +30,7 @@ TEST(Scenes, RunWithoutAFaultAndRepeatably) {
 /// Lungs of finite elements, seen at each tick, are solved side by side where there are threads for it.
 TEST(Scenes, AreTheSameBitsInAnyNumberOfThreads) {
   const auto run = [](int threads) {
-    setThreads(threads);
+    const InThreads all(threads);
     Scene scene;
     scene.load(sceneFolder() / "finite_element_lung.x3d");
     for (const char* tissue : {"TISSUE_L", "TISSUE_R"}) {
@@ -42,7 +42,6 @@ TEST(Scenes, AreTheSameBitsInAnyNumberOfThreads) {
       scene.tick(0.2 * k);
       view.update();
     }
-    setThreads(1);
     return stateHash(scene);
   };
   const auto inOne = run(1);

@@ -13,6 +13,7 @@
 #include <pleura/nodes/standard/rendering/coordinate.h>
 #include <pleura/nodes/thorax/deformable_shape2.h>
 #include <pleura/tests/nodes/deformable/chainmail/icosphere.h>
+#include <pleura/tests/nodes/deformable/in_threads.h>
 #include <pleura/tests/nodes/test_context.h>
 
 namespace pleura {
@@ -118,7 +119,7 @@ TEST_F(DeformableShape2Test, WhatIsHeldFromTheBeginningIsShownThoughNothingChang
 }
 
 TEST_F(DeformableShape2Test, WhatHasBegunIsSolvedOnceForWhatIsThenSo) {
-  setThreads(2);
+  const InThreads all(2);
   deformer->modulus.setValue(1);
   organ->contactPoint.setValue({{0, 0, 0.5f}});
   const auto before = solveCounter();
@@ -136,11 +137,10 @@ TEST_F(DeformableShape2Test, WhatHasBegunIsSolvedOnceForWhatIsThenSo) {
   organ->contactPoint.setValue({{0, 0, 0.7f}});
   EXPECT_NEAR(organ->deformedCoord.getValue()[1].z(), 0.7f, 1e-6f);
   EXPECT_EQ(deformer->reports, 2);
-  setThreads(1);
 }
 
 TEST_F(DeformableShape2Test, ADeformerMayBeReplacedAndTheShapeGoWhileTheyAreAtWork) {
-  setThreads(2);
+  const InThreads all(2);
   deformer->modulus.setValue(1);
   for (int k = 0; k < 100; ++k) {
     organ->contactPoint.setValue({{0, 0, 0.01f * static_cast<float>(k)}});
@@ -157,11 +157,10 @@ TEST_F(DeformableShape2Test, ADeformerMayBeReplacedAndTheShapeGoWhileTheyAreAtWo
   organ->contactPoint.setValue({{0, 0, 2}});
   organ->begin();
   organ = nullptr;
-  setThreads(1);
 }
 
 TEST_F(DeformableShape2Test, WhatThrowsBesideIsToldAndTheShapeStays) {
-  setThreads(2);
+  const InThreads all(2);
   deformer->modulus.setValue(1);
   breathe(1);
   const std::vector<Vec3f> before = organ->deformedCoord.getValue();
@@ -170,7 +169,6 @@ TEST_F(DeformableShape2Test, WhatThrowsBesideIsToldAndTheShapeStays) {
   EXPECT_EQ(organ->deformedCoord.getValue(), before);
   ASSERT_EQ(context.warnings.size(), 1u);
   EXPECT_THAT(context.warnings[0], ::testing::HasSubstr("not finite"));
-  setThreads(1);
 }
 
 TEST_F(DeformableShape2Test, ADeformerOfAnotherShapeIsRefusedUntilThatLetsItGo) {
@@ -210,7 +208,7 @@ std::shared_ptr<DeformableShape2> movingBall(TestContext& context) {
 }
 
 TEST(DeformableShape2, AStepOfTimeThatWasBegunAndOvertakenIsNotLost) {
-  setThreads(1);
+  const InThreads all(1);
   TestContext context;
   const auto straight = movingBall(context), overtaken = movingBall(context);
   const auto pulled = [&](float by) {
